@@ -1,0 +1,5 @@
+//! Tool radius compensation of contours made of lines, arcs and splines through type points.
+
+pub mod contour;
+pub mod diagnostic;
+pub mod geometry;
