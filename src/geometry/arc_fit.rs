@@ -1,0 +1,204 @@
+//! Arcs and lines within a tolerance of a chain of cubics, for controllers without splines.
+//!
+//! The chain is cut greedily: each step takes the longest stretch that one biarc (two arcs that
+//! share a tangent where they meet) can follow, found by doubling and then halving the stretch.
+//! Where the chain has a kink or a cusp a stretch ends.
+
+use glam::DVec2;
+
+use super::{Arc, Cubic, Line, cross, turn};
+
+/// An arc, or a line where an arc would be too flat to tell.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum ArcOrLine {
+    /// A circular arc of at most half a circle.
+    Arc(Arc),
+    /// A straight line.
+    Line(Line),
+}
+
+/// Turn between successive cubics from which on they count as a kink [rad]. Joints of C2 splines
+/// and of their offsets stay far below, corners of contours far above.
+const KINK: f64 = 1e-4;
+
+/// Points checked on each cubic of a stretch, and least points in all.
+const SAMPLES: usize = 8;
+
+/// Largest radius written as an arc [mm]; flatter ones are lines if the tolerance allows. Controls
+/// compute centres in single precision or in micrometres, where such arcs go wrong.
+const MAX_RADIUS: f64 = 1e5;
+
+/// Arcs and lines from the start to the end of `cubics`, each within `tolerance` [mm] of them.
+///
+/// The cubics must follow each other; the pieces do. The distance is checked at eight points a
+/// cubic, not proved.
+#[must_use]
+pub fn fit_arcs(cubics: &[Cubic], tolerance: f64) -> Vec<ArcOrLine> {
+    let mut pieces = Vec::new();
+    let mut from = 0;
+    while from < cubics.len() {
+        let smooth = (from + 1..cubics.len())
+            .find(|&i| turn(cubics[i - 1].tangent(1.0), cubics[i].tangent(0.0)).abs() > KINK)
+            .unwrap_or(cubics.len());
+        fit_smooth(&cubics[from..smooth], tolerance, &mut pieces);
+        from = smooth;
+    }
+    pieces
+}
+
+/// A stretch of the chain from `from` to `to`, counted in cubics: 2.25 is a quarter into the third.
+#[derive(Clone, Copy)]
+struct Stretch<'a> {
+    cubics: &'a [Cubic],
+    from: f64,
+    to: f64,
+}
+
+impl Stretch<'_> {
+    /// Point and tangent at `at`.
+    fn frame(&self, at: f64) -> (DVec2, DVec2) {
+        let (cubic, t) = self.locate(at);
+        (cubic.point(t), cubic.tangent(t))
+    }
+
+    #[expect(
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "0 ≤ at ≤ cubics.len()"
+    )]
+    fn locate(&self, at: f64) -> (&Cubic, f64) {
+        let index = (at.floor() as usize).min(self.cubics.len() - 1);
+        let t = at - index as f64;
+        (&self.cubics[index], t)
+    }
+
+    /// Whether every checked point of the stretch is within `tolerance` of `pieces`.
+    fn is_near(&self, pieces: &[ArcOrLine], tolerance: f64) -> bool {
+        let span = self.to - self.from;
+        let samples = SAMPLES as f64 * span.ceil();
+        let mut i = 0.5;
+        while i < samples {
+            let (point, _) = self.frame(self.from + span * i / samples);
+            let nearest = pieces.iter().map(|piece| match piece {
+                ArcOrLine::Arc(arc) => arc.nearest(point).distance,
+                ArcOrLine::Line(line) => line.nearest(point).distance,
+            });
+            if nearest.fold(f64::INFINITY, f64::min) > tolerance {
+                return false;
+            }
+            i += 1.0;
+        }
+        true
+    }
+}
+
+/// Fits a chain without kinks.
+fn fit_smooth(cubics: &[Cubic], tolerance: f64, pieces: &mut Vec<ArcOrLine>) {
+    let end = cubics.len() as f64;
+    let mut from = 0.0;
+    let mut step = 1.0;
+    while from < end {
+        let attempt = |to: f64| fit_stretch(&Stretch { cubics, from, to }, tolerance);
+        let mut good: Option<(f64, Vec<ArcOrLine>)> = None;
+        let mut bad = None;
+        // Doubling while it works, halving until it does.
+        loop {
+            let to = (from + step).min(end);
+            match attempt(to) {
+                Some(fit) => {
+                    good = Some((to, fit));
+                    if to >= end || bad.is_some() {
+                        break;
+                    }
+                    step *= 2.0;
+                }
+                None if good.is_some() => {
+                    bad = Some(to);
+                    break;
+                }
+                None => {
+                    bad = Some(to);
+                    step *= 0.5;
+                    if step < 1e-9 {
+                        break;
+                    }
+                }
+            }
+        }
+        // Between the last that works and the first that does not.
+        if let (Some((mut low, _)), Some(mut high)) = (good.clone(), bad) {
+            for _ in 0..6 {
+                let middle = 0.5 * (low + high);
+                if let Some(fit) = attempt(middle) {
+                    low = middle;
+                    good = Some((middle, fit));
+                } else {
+                    high = middle;
+                }
+            }
+        }
+        let Some((to, fit)) = good else {
+            // A stretch of 1e-9 of a cubic that nothing fits: a point at which the chain stands.
+            from += 1e-9_f64.max(step);
+            continue;
+        };
+        step = (to - from).max(1e-6);
+        pieces.extend(fit);
+        from = to;
+    }
+}
+
+/// The line or biarc that follows the stretch, if one is near enough; nothing at all for a
+/// stretch too short to be a line.
+fn fit_stretch(stretch: &Stretch, tolerance: f64) -> Option<Vec<ArcOrLine>> {
+    let (start, start_tangent) = stretch.frame(stretch.from);
+    let (end, end_tangent) = stretch.frame(stretch.to);
+    let near = |pieces: Vec<ArcOrLine>| stretch.is_near(&pieces, tolerance).then_some(pieces);
+    let Ok(chord) = Line::new(start, end) else {
+        let whole = stretch.locate(stretch.from).0;
+        return (whole.hull_length() * (stretch.to - stretch.from) < tolerance).then(Vec::new);
+    };
+    if let Some(line) = near(vec![ArcOrLine::Line(chord)]) {
+        return Some(line);
+    }
+    near(biarc(start, start_tangent, end, end_tangent)?)
+}
+
+/// The biarc from `start` to `end` with the given unit tangents whose two control legs at the
+/// ends are equally long (Bolton 1975); `None` where it would turn by half a circle or more.
+fn biarc(start: DVec2, t0: DVec2, end: DVec2, t1: DVec2) -> Option<Vec<ArcOrLine>> {
+    let v = end - start;
+    let sum = t0 + t1;
+    // |end − leg t1 − (start + leg t0)| = 2 leg, a quadratic in the leg.
+    let (a, b, c) = (4.0 - sum.length_squared(), 2.0 * v.dot(sum), -v.length_squared());
+    let discriminant = b.mul_add(b, -4.0 * a * c).max(0.0).sqrt();
+    // The positive root in the form without cancellation.
+    let leg = if b + discriminant > 0.0 { -2.0 * c / (b + discriminant) } else { return None };
+    let joint = (start + t0 * leg).midpoint(end - t1 * leg);
+    let first = tangent_arc(start, t0, joint)?;
+    // The second arc ends with t1: the same construction backwards.
+    let second = match tangent_arc(end, -t1, joint)? {
+        ArcOrLine::Arc(arc) => ArcOrLine::Arc(arc.reversed()),
+        ArcOrLine::Line(line) => ArcOrLine::Line(line.reversed()),
+    };
+    Some(vec![first, second])
+}
+
+/// The arc from `start` along the unit tangent to `end`, a line where it is flat; `None` from
+/// half a circle on.
+fn tangent_arc(start: DVec2, tangent: DVec2, end: DVec2) -> Option<ArcOrLine> {
+    let line = Line::new(start, end).ok()?;
+    let chord = line.vector();
+    let (along, across) = (tangent.dot(chord), cross(tangent, chord));
+    if along <= 0.0 {
+        return None;
+    }
+    // Radius from the tangent–chord angle: |chord| = 2 R sin a, sin a = across / |chord|.
+    let radius = chord.length_squared() / (2.0 * across.abs());
+    if radius > MAX_RADIUS {
+        return Some(ArcOrLine::Line(line));
+    }
+    let center = start + super::perp(tangent) * radius * across.signum();
+    let arc = Arc::from_center(start, end, center, across < 0.0, f64::INFINITY).ok()?;
+    Some(ArcOrLine::Arc(arc))
+}

@@ -1,0 +1,206 @@
+//! A programmed curve of any kind, and what makes one impossible.
+
+use std::fmt;
+
+use glam::DVec2;
+
+use super::{Arc, Bounds, Line, Nearest, Spline};
+
+/// Largest coordinate a curve may have [mm]: a thousand kilometres.
+///
+/// It keeps every product of the solvers (at most degree 6 in coordinates) far from overflow.
+pub const MAX_COORDINATE: f64 = 1e9;
+
+/// Shortest distance at which two points count as two [mm]: a picometre.
+///
+/// Coordinates of 1e6 mm are spaced by 1e-10 mm, so anything shorter has no direction left.
+pub const MIN_LENGTH: f64 = 1e-9;
+
+/// Why a curve cannot be made from the given numbers.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum CurveError {
+    /// A coordinate is not finite or beyond [`MAX_COORDINATE`].
+    OutOfRange {
+        /// The point as given.
+        point: DVec2,
+    },
+    /// Start and end coincide.
+    ZeroLength,
+    /// An arc's end is not as far from its centre as its start.
+    RadiiDisagree {
+        /// Distance from the centre to the start [mm].
+        start: f64,
+        /// Distance from the centre to the end [mm].
+        end: f64,
+    },
+    /// An arc given by its radius cannot span the distance of its ends.
+    RadiusTooSmall {
+        /// The radius as given [mm].
+        radius: f64,
+        /// Half the distance between the ends: the smallest radius possible [mm].
+        least: f64,
+    },
+    /// A full circle cannot be given by its radius: its centre could be anywhere.
+    FullCircleByRadius,
+    /// A spline has too few type points for its end conditions.
+    TooFewPoints {
+        /// How many there are.
+        count: usize,
+        /// How many there must be.
+        least: usize,
+    },
+    /// Two successive type points of a spline coincide.
+    CoincidentPoints {
+        /// Index of the second of them, counting the start as 0.
+        index: usize,
+    },
+    /// A periodic spline does not end where it starts.
+    NotClosed,
+}
+
+impl fmt::Display for CurveError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::OutOfRange { point } => write!(
+                f,
+                "the point ({}, {}) is not a finite number of at most 1e9 mm",
+                point.x, point.y
+            ),
+            Self::ZeroLength => write!(f, "start and end coincide"),
+            Self::RadiiDisagree { start, end } => {
+                write!(f, "the arc's start is {start:.6} mm from its centre, its end {end:.6} mm")
+            }
+            Self::RadiusTooSmall { radius, least } => write!(
+                f,
+                "the arc's radius {radius:.6} mm is less than half the distance of its ends, {least:.6} mm"
+            ),
+            Self::FullCircleByRadius => {
+                write!(f, "an arc given by its radius cannot end where it starts")
+            }
+            Self::TooFewPoints { count, least } => {
+                write!(f, "the spline has {count} type points and needs {least}")
+            }
+            Self::CoincidentPoints { index } => {
+                write!(f, "type points {} and {index} of the spline coincide", index - 1)
+            }
+            Self::NotClosed => write!(f, "the periodic spline does not end where it starts"),
+        }
+    }
+}
+
+impl std::error::Error for CurveError {}
+
+/// Whether both coordinates of a point are finite and within [`MAX_COORDINATE`].
+#[must_use]
+pub fn in_range(point: DVec2) -> bool {
+    // A NaN compares as false and so is refused too.
+    point.x.abs() <= MAX_COORDINATE && point.y.abs() <= MAX_COORDINATE
+}
+
+/// Accepts a point that is [`in_range`].
+pub(super) fn checked_point(point: DVec2) -> Result<(), CurveError> {
+    if in_range(point) { Ok(()) } else { Err(CurveError::OutOfRange { point }) }
+}
+
+/// A programmed curve: what a segment of a contour is made of.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Curve {
+    /// A straight line.
+    Line(Line),
+    /// A circular arc.
+    Arc(Arc),
+    /// A cubic spline through type points.
+    Spline(Spline),
+}
+
+impl Curve {
+    /// Where the curve begins [mm].
+    #[must_use]
+    pub fn start(&self) -> DVec2 {
+        match self {
+            Self::Line(line) => line.start(),
+            Self::Arc(arc) => arc.start(),
+            Self::Spline(spline) => spline.start(),
+        }
+    }
+
+    /// Where the curve ends [mm].
+    #[must_use]
+    pub fn end(&self) -> DVec2 {
+        match self {
+            Self::Line(line) => line.end(),
+            Self::Arc(arc) => arc.end(),
+            Self::Spline(spline) => spline.end(),
+        }
+    }
+
+    /// The point at `t` in `[0, 1]` [mm].
+    #[must_use]
+    pub fn point(&self, t: f64) -> DVec2 {
+        match self {
+            Self::Line(line) => line.point(t),
+            Self::Arc(arc) => arc.point(t),
+            Self::Spline(spline) => spline.point(t),
+        }
+    }
+
+    /// Unit tangent at `t`.
+    #[must_use]
+    pub fn tangent(&self, t: f64) -> DVec2 {
+        match self {
+            Self::Line(line) => line.tangent(),
+            Self::Arc(arc) => arc.tangent(t),
+            Self::Spline(spline) => spline.tangent(t),
+        }
+    }
+
+    /// Curvature at `t` [1/mm], positive to the left.
+    #[must_use]
+    pub fn curvature(&self, t: f64) -> f64 {
+        match self {
+            Self::Line(_) => 0.0,
+            Self::Arc(arc) => arc.curvature(),
+            Self::Spline(spline) => spline.curvature(t),
+        }
+    }
+
+    /// Arc length [mm].
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        match self {
+            Self::Line(line) => line.length(),
+            Self::Arc(arc) => arc.length(),
+            Self::Spline(spline) => spline.length(),
+        }
+    }
+
+    /// The smallest box around the curve.
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        match self {
+            Self::Line(line) => line.bounds(),
+            Self::Arc(arc) => arc.bounds(),
+            Self::Spline(spline) => spline.bounds(),
+        }
+    }
+
+    /// The point of the curve nearest to `point`.
+    #[must_use]
+    pub fn nearest(&self, point: DVec2) -> Nearest {
+        match self {
+            Self::Line(line) => line.nearest(point),
+            Self::Arc(arc) => arc.nearest(point),
+            Self::Spline(spline) => spline.nearest(point),
+        }
+    }
+
+    /// The same curve run the other way.
+    #[must_use]
+    pub fn reversed(&self) -> Self {
+        match self {
+            Self::Line(line) => Self::Line(line.reversed()),
+            Self::Arc(arc) => Self::Arc(arc.reversed()),
+            Self::Spline(spline) => Self::Spline(spline.reversed()),
+        }
+    }
+}

@@ -1,0 +1,60 @@
+//! Arc and arc.
+
+use super::{Crossing, END_SLACK, Intersections};
+use crate::geometry::{Arc, perp};
+
+/// Where two arcs cross.
+#[must_use]
+pub fn arc_arc(a: &Arc, b: &Arc) -> Intersections {
+    let between = b.center() - a.center();
+    let distance = between.length();
+    let (ra, rb) = (a.radius(), b.radius());
+    if distance <= END_SLACK && (ra - rb).abs() <= END_SLACK {
+        return same_circle(a, b);
+    }
+    if distance > ra + rb + END_SLACK || distance < (ra - rb).abs() - END_SLACK || distance == 0.0 {
+        return Intersections::Points(Vec::new());
+    }
+    let along = between / distance;
+    // Distance of the radical line from a's centre (law of cosines, as a product of sums).
+    let foot = 0.5 * (distance + (ra - rb) * (ra + rb) / distance);
+    let half_chord = ((ra - foot) * (ra + foot)).max(0.0).sqrt();
+    let middle = a.center() + along * foot;
+    let offset = perp(along) * half_chord;
+    // Closer than the slack the two points are one: the circles touch.
+    let candidates =
+        if half_chord <= END_SLACK { vec![middle] } else { vec![middle - offset, middle + offset] };
+    let crossings = candidates
+        .into_iter()
+        .filter_map(|point| {
+            let t = a.parameter_within(point, END_SLACK)?;
+            let u = b.parameter_within(point, END_SLACK)?;
+            Some(Crossing { point, t, u })
+        })
+        .collect();
+    Intersections::sorted(crossings)
+}
+
+/// Two arcs of one circle share nothing, their ends, or a stretch.
+fn same_circle(a: &Arc, b: &Arc) -> Intersections {
+    // They share a stretch exactly where the middle of one, or some end, lies inside the other.
+    let inside = |arc: &Arc, point| {
+        let t = arc.parameter(point);
+        let slack = END_SLACK / arc.length();
+        t > slack && t < 1.0 - slack
+    };
+    let shares = [b.start(), b.point(0.5), b.end()].into_iter().any(|p| inside(a, p))
+        || [a.start(), a.point(0.5), a.end()].into_iter().any(|p| inside(b, p));
+    if shares {
+        return Intersections::Coincident;
+    }
+    let crossings = [b.start(), b.end()]
+        .into_iter()
+        .filter_map(|point| {
+            let t = a.parameter_within(point, END_SLACK)?;
+            let u = b.parameter_within(point, END_SLACK)?;
+            Some(Crossing { point, t, u })
+        })
+        .collect();
+    Intersections::sorted(crossings)
+}

@@ -1,0 +1,32 @@
+//! Arc and spline, span by span.
+
+use super::{Crossing, END_SLACK, Intersections, with_ends};
+use crate::geometry::{Arc, Cubic, roots};
+
+/// Where an arc crosses one cubic of a spline: the roots of `|C − centre|² − R²`, a polynomial of
+/// degree 6 in Bernstein form.
+#[must_use]
+pub fn arc_cubic(arc: &Arc, cubic: &Cubic) -> Intersections {
+    let c = cubic.points.map(|p| p - arc.center());
+    // Product of two Bernstein forms of degree 3: weights C(3,i) C(3,j) / C(6,i+j).
+    let mut squared = [0.0; 7];
+    for (i, (ci, wi)) in c.iter().zip([1.0, 3.0, 3.0, 1.0]).enumerate() {
+        for (j, (cj, wj)) in c.iter().zip([1.0, 3.0, 3.0, 1.0]).enumerate() {
+            squared[i + j] += wi * wj * ci.dot(*cj);
+        }
+    }
+    for (value, binomial) in squared.iter_mut().zip([1.0, 6.0, 15.0, 20.0, 15.0, 6.0, 1.0]) {
+        *value = *value / binomial - arc.radius() * arc.radius();
+    }
+    let at_ends = [c[0], c[3]].map(|p| (p.length() - arc.radius()).abs() <= END_SLACK);
+    // No cubic is a circle, so the two never coincide on a stretch longer than a point.
+    let crossings = with_ends(roots(squared), at_ends)
+        .into_iter()
+        .filter_map(|u| {
+            let point = cubic.point(u);
+            let t = arc.parameter_within(point, END_SLACK)?;
+            Some(Crossing { point, t, u })
+        })
+        .collect();
+    Intersections::sorted(crossings)
+}

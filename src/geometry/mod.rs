@@ -1,0 +1,32 @@
+//! Curves and numbers in the plane: it knows points and parameters, no tools, feeds or blocks.
+//!
+//! Lengths are in mm, angles in rad and counter-clockwise positive. A curve is traversed by a
+//! parameter `t` in `[0, 1]`; the left normal of a tangent `T` is `perp(T) = (-Ty, Tx)`, and
+//! curvature is positive where the curve turns left.
+
+mod arc;
+mod arc_fit;
+mod bernstein;
+mod bounds;
+mod cubic;
+mod curve;
+mod flatten;
+pub mod intersect;
+mod length;
+mod line;
+mod nearest;
+mod spline;
+mod tridiagonal;
+mod vector;
+
+pub use arc::{Arc, RadiusForm};
+pub use arc_fit::{ArcOrLine, fit_arcs};
+pub use bernstein::roots;
+pub use bounds::Bounds;
+pub use cubic::Cubic;
+pub use curve::{Curve, CurveError, MAX_COORDINATE, MIN_LENGTH, in_range};
+pub use flatten::{flatten_arc, flatten_cubic};
+pub use line::Line;
+pub use nearest::Nearest;
+pub use spline::{EndCondition, Parameter, Spline, SplineEnds};
+pub use vector::{cross, direction, perp, rotate, turn};
