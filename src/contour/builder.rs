@@ -1,0 +1,345 @@
+//! Building a contour from described segments, with a diagnostic for each that cannot be.
+//!
+//! Lines and arcs are made first, since a smooth spline takes its tangents from them. A segment
+//! that cannot be made as described is replaced by a straight line to its end, or left out where
+//! it has no length, so that the rest of the contour can still be seen; its diagnostic says so.
+
+use glam::DVec2;
+
+use super::{Attributes, Contour, Event, EventKind, Lead, Segment};
+use crate::diagnostic::{Diagnostic, Origin};
+use crate::geometry::{
+    Arc, Curve, CurveError, EndCondition, Line, MIN_LENGTH, Parameter, RadiusForm, Spline,
+    SplineEnds, in_range,
+};
+
+/// How much an arc's two radii may differ [mm]: programs in inches round to 0.0025 mm, so a
+/// centre and two ends may disagree by a few times that.
+pub const ARC_TOLERANCE: f64 = 0.01;
+
+/// A segment as described: all but its start, which is the end of the one before it.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape {
+    /// A straight line.
+    Line {
+        /// Its end [mm].
+        to: DVec2,
+    },
+    /// An arc about a centre; a full circle where its end is its start.
+    Arc {
+        /// Its end [mm].
+        to: DVec2,
+        /// Its centre [mm].
+        center: DVec2,
+        /// Whether it runs clockwise, as G2 does.
+        clockwise: bool,
+    },
+    /// An arc of a radius.
+    ArcByRadius {
+        /// Its end [mm].
+        to: DVec2,
+        /// Its radius [mm].
+        radius: f64,
+        /// Which of the two arcs.
+        form: RadiusForm,
+        /// Whether it runs clockwise, as G2 does.
+        clockwise: bool,
+    },
+    /// A spline through type points.
+    Spline(SplineShape),
+}
+
+/// A spline as described.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct SplineShape {
+    /// The type points after the start [mm].
+    pub points: Vec<DVec2>,
+    /// Tangent at the start, of any length.
+    pub start_tangent: Option<DVec2>,
+    /// Tangent at the end, of any length.
+    pub end_tangent: Option<DVec2>,
+    /// Whether ends without a tangent are tangent to a neighbouring line or arc.
+    pub smooth: bool,
+    /// Whether its end is smoothly its start; by default so where it is all of a closed contour.
+    pub periodic: Option<bool>,
+    /// How its parameter is spaced.
+    pub parameter: Parameter,
+}
+
+impl Shape {
+    /// Where the segment ends [mm]; `None` for a spline without points.
+    #[must_use]
+    pub fn end(&self) -> Option<DVec2> {
+        match self {
+            Self::Line { to } | Self::Arc { to, .. } | Self::ArcByRadius { to, .. } => Some(*to),
+            Self::Spline(spline) => spline.points.last().copied(),
+        }
+    }
+}
+
+/// A contour, unless nothing of it could be made, and what was found on the way.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Built {
+    /// The contour.
+    pub contour: Option<Contour>,
+    /// What was found.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Collects described segments and makes a contour of them.
+#[derive(Debug, Clone)]
+pub struct ContourBuilder {
+    start: DVec2,
+    described: Vec<(Shape, Attributes)>,
+    lead_in: Option<Lead>,
+    lead_out: Option<Lead>,
+    events: Vec<Event>,
+}
+
+impl ContourBuilder {
+    /// A contour that starts at `start` [mm].
+    #[must_use]
+    pub fn new(start: DVec2) -> Self {
+        Self { start, described: Vec::new(), lead_in: None, lead_out: None, events: Vec::new() }
+    }
+
+    /// Adds a segment.
+    pub fn segment(&mut self, shape: Shape, attributes: Attributes) {
+        self.described.push((shape, attributes));
+    }
+
+    /// Adds something that happens between the segments added so far and the next one.
+    pub fn event(&mut self, kind: EventKind, origin: Origin) {
+        self.events.push(Event { before: self.described.len(), origin, kind });
+    }
+
+    /// Asks for a lead-in from `lead` to the start.
+    pub fn lead_in(&mut self, lead: Lead) {
+        self.lead_in = Some(lead);
+    }
+
+    /// Asks for a lead-out from the end to `lead`.
+    pub fn lead_out(&mut self, lead: Lead) {
+        self.lead_out = Some(lead);
+    }
+
+    /// Number of segments added so far.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.described.len()
+    }
+
+    /// Whether no segment was added yet.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.described.is_empty()
+    }
+
+    /// Makes the contour.
+    #[must_use]
+    pub fn build(self, closed: bool) -> Built {
+        let mut diagnostics = Vec::new();
+        if !in_range(self.start) {
+            let error = CurveError::OutOfRange { point: self.start };
+            return Built { contour: None, diagnostics: vec![diagnose(&error, None)] };
+        }
+        let mut slots = self.lines_and_arcs(&mut diagnostics);
+        self.splines(&mut slots, closed, &mut diagnostics);
+        let mut segments = Vec::with_capacity(slots.len());
+        // Segments left out shift what happens before the later ones.
+        let mut index_after = Vec::with_capacity(slots.len() + 1);
+        for (slot, (_, attributes)) in slots.into_iter().zip(&self.described) {
+            index_after.push(segments.len());
+            if let Slot::Made(curve) = slot {
+                segments.push(Segment { curve, attributes: *attributes });
+            }
+        }
+        index_after.push(segments.len());
+        let mut events = self.events;
+        for event in &mut events {
+            event.before = index_after[event.before];
+        }
+        if segments.is_empty() {
+            diagnostics.push(
+                Diagnostic::error("empty-contour", "the contour has no segment with a length")
+                    .with_point(self.start),
+            );
+            return Built { contour: None, diagnostics };
+        }
+        let end = segments[segments.len() - 1].curve.end();
+        let mut closed = closed;
+        if closed && end.distance(self.start) > MIN_LENGTH {
+            diagnostics.push(
+                Diagnostic::error(
+                    "not-closed",
+                    format!(
+                        "the closed contour ends {:.6} mm from its start",
+                        end.distance(self.start)
+                    ),
+                )
+                .with_point(end)
+                .with_origin(segments[segments.len() - 1].attributes.origin)
+                .with_hint("add a segment back to the start; until then it is treated as open"),
+            );
+            closed = false;
+        }
+        let contour =
+            Contour { segments, closed, lead_in: self.lead_in, lead_out: self.lead_out, events };
+        Built { contour: Some(contour), diagnostics }
+    }
+
+    /// Makes lines and arcs, and leaves splines for later.
+    fn lines_and_arcs(&self, diagnostics: &mut Vec<Diagnostic>) -> Vec<Slot> {
+        let mut from = self.start;
+        let mut slots = Vec::with_capacity(self.described.len());
+        for (shape, attributes) in &self.described {
+            let made = match shape {
+                Shape::Line { to } => Line::new(from, *to).map(Curve::Line),
+                Shape::Arc { to, center, clockwise } => {
+                    Arc::from_center(from, *to, *center, *clockwise, ARC_TOLERANCE).map(Curve::Arc)
+                }
+                Shape::ArcByRadius { to, radius, form, clockwise } => {
+                    Arc::from_radius(from, *to, *radius, *form, *clockwise, ARC_TOLERANCE)
+                        .map(Curve::Arc)
+                }
+                Shape::Spline(spline) => {
+                    slots.push(Slot::Spline { from });
+                    from = last_in_range(&spline.points).unwrap_or(from);
+                    continue;
+                }
+            };
+            let slot = match made {
+                Ok(curve) => Slot::Made(curve),
+                Err(error) => {
+                    diagnostics.push(diagnose(&error, Some(attributes.origin)).with_point(from));
+                    replacement(from, shape.end())
+                }
+            };
+            if let Slot::Made(curve) = &slot {
+                from = curve.end();
+            }
+            slots.push(slot);
+        }
+        slots
+    }
+
+    /// Makes the splines, whose smooth ends follow their neighbours.
+    fn splines(&self, slots: &mut [Slot], closed: bool, diagnostics: &mut Vec<Diagnostic>) {
+        for i in 0..slots.len() {
+            let (Slot::Spline { from }, (Shape::Spline(shape), attributes)) =
+                (&slots[i], &self.described[i])
+            else {
+                continue;
+            };
+            let origin = attributes.origin;
+            let points = usable_points(*from, &shape.points, origin, diagnostics);
+            let alone = slots.len() == 1;
+            let neighbour = |index: Option<usize>, at_end: f64| {
+                let Slot::Made(curve) = &slots[index?] else { return None };
+                let tangent = || curve.tangent(at_end);
+                matches!(curve, Curve::Line(_) | Curve::Arc(_)).then(tangent)
+            };
+            let last = slots.len() - 1;
+            let before = if i > 0 { Some(i - 1) } else { closed.then_some(last) };
+            let after = if i < last { Some(i + 1) } else { closed.then_some(0) };
+            let end_condition = |given: Option<DVec2>, index, at_end| {
+                let smooth = || shape.smooth.then(|| neighbour(index, at_end)).flatten();
+                let usable = |tangent: &DVec2| tangent.try_normalize().is_some();
+                given
+                    .filter(usable)
+                    .or_else(smooth)
+                    .map_or(EndCondition::Natural, EndCondition::Tangent)
+            };
+            let periodic = shape.periodic.unwrap_or(closed && alone);
+            let ends = if periodic {
+                SplineEnds::Periodic
+            } else {
+                SplineEnds::Open {
+                    start: end_condition(shape.start_tangent, before, 1.0),
+                    end: end_condition(shape.end_tangent, after, 0.0),
+                }
+            };
+            slots[i] = match Spline::through(points, ends, shape.parameter) {
+                Ok(spline) => Slot::Made(Curve::Spline(spline)),
+                Err(error) => {
+                    diagnostics.push(diagnose(&error, Some(origin)).with_point(*from));
+                    replacement(*from, last_in_range(&shape.points))
+                }
+            };
+        }
+    }
+}
+
+/// What has become of a described segment.
+enum Slot {
+    /// It is this curve.
+    Made(Curve),
+    /// It is a spline from this point, to be made once its neighbours are.
+    Spline { from: DVec2 },
+    /// It has no length, so there is no segment.
+    LeftOut,
+}
+
+/// A straight line in the place of a segment that cannot be made, where it has a length.
+fn replacement(from: DVec2, to: Option<DVec2>) -> Slot {
+    match to.map(|to| Line::new(from, to)) {
+        Some(Ok(line)) => Slot::Made(Curve::Line(line)),
+        _ => Slot::LeftOut,
+    }
+}
+
+/// The last point if it can be used at all.
+fn last_in_range(points: &[DVec2]) -> Option<DVec2> {
+    points.iter().rev().copied().find(|&p| in_range(p))
+}
+
+/// The start and the points after it, without those that repeat the one before.
+fn usable_points(
+    start: DVec2,
+    points: &[DVec2],
+    origin: Origin,
+    diagnostics: &mut Vec<Diagnostic>,
+) -> Vec<DVec2> {
+    let mut usable = vec![start];
+    for (i, &point) in points.iter().enumerate() {
+        let previous = usable[usable.len() - 1];
+        if previous.distance(point) < MIN_LENGTH {
+            diagnostics.push(
+                diagnose(&CurveError::CoincidentPoints { index: i + 1 }, Some(origin))
+                    .with_point(point)
+                    .with_hint("the second of them is left out"),
+            );
+        } else if in_range(point) {
+            usable.push(point);
+        } else {
+            diagnostics.push(diagnose(&CurveError::OutOfRange { point }, Some(origin)));
+        }
+    }
+    usable
+}
+
+/// The diagnostic for a curve that cannot be made.
+fn diagnose(error: &CurveError, origin: Option<Origin>) -> Diagnostic {
+    let message = error.to_string();
+    let diagnostic = match error {
+        CurveError::OutOfRange { .. } => Diagnostic::error("out-of-range", message),
+        CurveError::ZeroLength => {
+            Diagnostic::warning("zero-length", message).with_hint("the segment is left out")
+        }
+        CurveError::RadiiDisagree { .. } => Diagnostic::error("radii-disagree", message)
+            .with_hint("check the centre (I, J); a straight line stands in its place"),
+        CurveError::RadiusTooSmall { .. } => Diagnostic::error("radius-too-small", message)
+            .with_hint("a straight line stands in its place"),
+        CurveError::FullCircleByRadius => Diagnostic::error("full-circle-by-radius", message)
+            .with_hint("give the centre instead of the radius"),
+        CurveError::TooFewPoints { .. } => Diagnostic::error("too-few-points", message)
+            .with_hint("a straight line stands in its place"),
+        CurveError::CoincidentPoints { .. } => Diagnostic::warning("coincident-points", message),
+        CurveError::NotClosed => Diagnostic::error("not-closed", message)
+            .with_hint("let its last point be its first; a straight line stands in its place"),
+    };
+    match origin {
+        Some(origin) => diagnostic.with_origin(origin),
+        None => diagnostic,
+    }
+}

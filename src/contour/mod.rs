@@ -1,0 +1,19 @@
+//! What is programmed and what comes out: contours, corners and tools; tool paths, moves and
+//! transitions.
+//!
+//! A contour is the boundary of the part, a tool path is where the tool centre goes. This floor
+//! only describes them: it knows no G-code, and how one becomes the other is not its business.
+
+mod builder;
+mod corner;
+mod segment;
+mod tool;
+mod tool_path;
+mod transition;
+
+pub use builder::{ARC_TOLERANCE, Built, ContourBuilder, Shape, SplineShape};
+pub use corner::{Corner, CornerKind};
+pub use segment::{Attributes, Contour, Event, EventKind, Lead, Segment};
+pub use tool::{Side, Tool};
+pub use tool_path::{AuxiliaryWords, Gouge, GougeKind, Move, MoveCurve, Role, ToolPath};
+pub use transition::{Transition, TransitionKind};

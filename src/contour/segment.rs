@@ -1,0 +1,130 @@
+//! Contours: ordered segments with what belongs to each.
+
+use glam::DVec2;
+
+use crate::diagnostic::Origin;
+use crate::geometry::{Bounds, Curve};
+
+/// What a segment carries besides its curve.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Attributes {
+    /// Where it was programmed.
+    pub origin: Origin,
+    /// Programmed feed [mm/s].
+    pub feed: Option<f64>,
+    /// Whether it is a rapid move (G00).
+    pub rapid: bool,
+    /// Height at its start and at its end [mm].
+    pub z: [f64; 2],
+}
+
+impl Attributes {
+    /// A segment at height zero, without a feed.
+    #[must_use]
+    pub fn at(origin: Origin) -> Self {
+        Self { origin, feed: None, rapid: false, z: [0.0, 0.0] }
+    }
+}
+
+/// One line, arc or spline of a contour.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Segment {
+    /// Its curve.
+    pub curve: Curve,
+    /// What else was programmed with it.
+    pub attributes: Attributes,
+}
+
+/// The far end of a move that switches compensation on or off: where a lead-in comes from, or a
+/// lead-out goes to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lead {
+    /// The uncompensated end [mm].
+    pub point: DVec2,
+    /// What was programmed with the move.
+    pub attributes: Attributes,
+}
+
+/// Something that happens between two segments while compensation is on.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Event {
+    /// Index of the segment before which it happens; the number of segments for the end.
+    pub before: usize,
+    /// Where it was programmed.
+    pub origin: Origin,
+    /// What happens.
+    pub kind: EventKind,
+}
+
+/// What can happen between two segments.
+#[derive(Debug, Clone, PartialEq)]
+pub enum EventKind {
+    /// Words that move nothing, to be passed through: M, S and T words, comments.
+    Words(String),
+    /// A move along z alone.
+    Vertical(Attributes),
+}
+
+/// The programmed boundary of the part.
+///
+/// # Guarantees
+/// There is at least one segment; each starts where the one before it ends, to within
+/// [`MIN_LENGTH`](crate::geometry::MIN_LENGTH). A closed contour so ends where it starts.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Contour {
+    pub(super) segments: Vec<Segment>,
+    pub(super) closed: bool,
+    pub(super) lead_in: Option<Lead>,
+    pub(super) lead_out: Option<Lead>,
+    pub(super) events: Vec<Event>,
+}
+
+impl Contour {
+    /// Its segments, in order.
+    #[must_use]
+    pub fn segments(&self) -> &[Segment] {
+        &self.segments
+    }
+
+    /// Whether its end is its start, with a corner or a smooth joint there.
+    #[must_use]
+    pub fn is_closed(&self) -> bool {
+        self.closed
+    }
+
+    /// Where compensation is switched on, if it is by a move.
+    #[must_use]
+    pub fn lead_in(&self) -> Option<&Lead> {
+        self.lead_in.as_ref()
+    }
+
+    /// Where compensation is switched off, if it is by a move.
+    #[must_use]
+    pub fn lead_out(&self) -> Option<&Lead> {
+        self.lead_out.as_ref()
+    }
+
+    /// What happens between its segments, in order.
+    #[must_use]
+    pub fn events(&self) -> &[Event] {
+        &self.events
+    }
+
+    /// Its first point [mm].
+    #[must_use]
+    pub fn start(&self) -> DVec2 {
+        self.segments[0].curve.start()
+    }
+
+    /// Its last point [mm].
+    #[must_use]
+    pub fn end(&self) -> DVec2 {
+        self.segments[self.segments.len() - 1].curve.end()
+    }
+
+    /// The smallest box around it, leads apart.
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        self.segments.iter().map(|s| s.curve.bounds()).fold(Bounds::EMPTY, Bounds::union)
+    }
+}

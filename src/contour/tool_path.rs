@@ -1,0 +1,196 @@
+//! The path of the tool centre: moves, and what was found on the way.
+
+use glam::DVec2;
+
+use super::Transition;
+use crate::diagnostic::{Diagnostic, Origin};
+use crate::geometry::{Arc, Bounds, Cubic, Line, flatten_arc, flatten_cubic};
+
+/// The plane curve of a move.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum MoveCurve {
+    /// A straight line.
+    Line(Line),
+    /// A circular arc; a helix where the heights differ.
+    Arc(Arc),
+    /// A cubic Bézier curve.
+    Cubic(Cubic),
+    /// No motion in the plane: the tool moves along z at this point [mm].
+    Vertical(DVec2),
+}
+
+impl MoveCurve {
+    /// Where it begins [mm].
+    #[must_use]
+    pub fn start(&self) -> DVec2 {
+        match self {
+            Self::Line(line) => line.start(),
+            Self::Arc(arc) => arc.start(),
+            Self::Cubic(cubic) => cubic.start(),
+            Self::Vertical(at) => *at,
+        }
+    }
+
+    /// Where it ends [mm].
+    #[must_use]
+    pub fn end(&self) -> DVec2 {
+        match self {
+            Self::Line(line) => line.end(),
+            Self::Arc(arc) => arc.end(),
+            Self::Cubic(cubic) => cubic.end(),
+            Self::Vertical(at) => *at,
+        }
+    }
+
+    /// The point at `t` in `[0, 1]` [mm].
+    #[must_use]
+    pub fn point(&self, t: f64) -> DVec2 {
+        match self {
+            Self::Line(line) => line.point(t),
+            Self::Arc(arc) => arc.point(t),
+            Self::Cubic(cubic) => cubic.point(t),
+            Self::Vertical(at) => *at,
+        }
+    }
+
+    /// Unit tangent at `t` in the direction of motion; zero for a move along z.
+    #[must_use]
+    pub fn tangent(&self, t: f64) -> DVec2 {
+        match self {
+            Self::Line(line) => line.tangent(),
+            Self::Arc(arc) => arc.tangent(t),
+            Self::Cubic(cubic) => cubic.tangent(t),
+            Self::Vertical(_) => DVec2::ZERO,
+        }
+    }
+
+    /// Arc length in the plane [mm].
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        match self {
+            Self::Line(line) => line.length(),
+            Self::Arc(arc) => arc.length(),
+            Self::Cubic(cubic) => cubic.length(),
+            Self::Vertical(_) => 0.0,
+        }
+    }
+
+    /// The smallest box around it.
+    #[must_use]
+    pub fn bounds(&self) -> Bounds {
+        match self {
+            Self::Line(line) => line.bounds(),
+            Self::Arc(arc) => arc.bounds(),
+            Self::Cubic(cubic) => cubic.bounds(),
+            Self::Vertical(at) => Bounds::of([*at]),
+        }
+    }
+
+    /// Calls `add` with points after its start, up to and with its end, whose chords are within
+    /// `tolerance` [mm] of it.
+    pub fn flatten(&self, tolerance: f64, mut add: impl FnMut(DVec2)) {
+        match self {
+            Self::Line(line) => add(line.end()),
+            Self::Arc(arc) => flatten_arc(arc, tolerance, add),
+            Self::Cubic(cubic) => flatten_cubic(cubic, tolerance, add),
+            Self::Vertical(at) => add(*at),
+        }
+    }
+}
+
+/// What a move is there for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Role {
+    /// It follows a segment of the contour at the tool radius.
+    Segment,
+    /// It joins two offsets at a corner.
+    Transition,
+    /// It switches compensation on.
+    LeadIn,
+    /// It switches compensation off.
+    LeadOut,
+    /// It is not compensated.
+    Free,
+}
+
+/// One move of the tool centre.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Move {
+    /// Its curve in the plane.
+    pub curve: MoveCurve,
+    /// What it is there for.
+    pub role: Role,
+    /// Whether it is a rapid move (G00).
+    pub rapid: bool,
+    /// Programmed feed [mm/s].
+    pub feed: Option<f64>,
+    /// Height at its start and at its end [mm]; it changes evenly along the curve.
+    pub z: [f64; 2],
+    /// The segment or block it comes from.
+    pub origin: Origin,
+}
+
+/// Where the tool cuts into material that should stay.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gouge {
+    /// Which kind.
+    pub kind: GougeKind,
+    /// The place [mm]: the point of the contour that is cut deepest.
+    pub at: DVec2,
+    /// How deep [mm].
+    pub depth: f64,
+    /// The segments concerned.
+    pub segments: Vec<Origin>,
+}
+
+/// The two kinds of gouge.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GougeKind {
+    /// Local: a bend tighter than the tool, or an inside corner whose offsets do not meet.
+    Curvature,
+    /// Between distant segments: the path comes nearer than the radius to another segment.
+    Bottleneck,
+}
+
+/// Words that move nothing, to be passed through in their place.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct AuxiliaryWords {
+    /// Index of the move before which they stand; the number of moves for the end.
+    pub before: usize,
+    /// The words as programmed: M, S and T words, comments.
+    pub words: String,
+    /// The block they come from.
+    pub origin: Origin,
+}
+
+/// The path of the tool centre after compensation.
+///
+/// Moves follow each other without gaps within a piece; a new piece (another contour) may start
+/// elsewhere.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct ToolPath {
+    /// The moves, in order.
+    pub moves: Vec<Move>,
+    /// The transitions at corners, in order.
+    pub transitions: Vec<Transition>,
+    /// What was found on the way.
+    pub diagnostics: Vec<Diagnostic>,
+    /// Local gouges of the path.
+    pub gouges: Vec<Gouge>,
+    /// Words to be passed through.
+    pub words: Vec<AuxiliaryWords>,
+}
+
+impl ToolPath {
+    /// Appends another path after this one.
+    pub fn append(&mut self, mut other: Self) {
+        for words in &mut other.words {
+            words.before += self.moves.len();
+        }
+        self.moves.append(&mut other.moves);
+        self.transitions.append(&mut other.transitions);
+        self.diagnostics.append(&mut other.diagnostics);
+        self.gouges.append(&mut other.gouges);
+        self.words.append(&mut other.words);
+    }
+}
