@@ -3,3 +3,5 @@
 pub mod contour;
 pub mod diagnostic;
 pub mod geometry;
+#[cfg(feature = "js")]
+pub mod js;
