@@ -1,0 +1,86 @@
+// Builds the npm package: Rust to WebAssembly, its JavaScript glue, and the hand-written face, in dist/.
+import {
+  cpSync,
+  mkdirSync,
+  readdirSync,
+  readFileSync,
+  renameSync,
+  rmSync,
+  writeFileSync,
+} from "node:fs";
+import { join } from "node:path";
+import { gzipSync } from "node:zlib";
+
+import { Failure, root, run, script } from "./command.mjs";
+import { locked, wasmTarget, xtask } from "./setup.mjs";
+import { unlessFresh } from "./stamp.mjs";
+
+const compiled = `target/${wasmTarget}/release/g41.wasm`;
+const shipped = "dist/g41_bg.wasm";
+
+/** The largest gzipped wasm that may be shipped [bytes]. */
+const sizeLimit = 80 * 1024;
+
+// What rustc emits for this target, and every browser of the last years understands; named one by
+// one so that wasm-opt does not bring in anything newer.
+const wasmFeatures = [
+  "bulk-memory",
+  "multivalue",
+  "mutable-globals",
+  "nontrapping-float-to-int",
+  "reference-types",
+  "sign-ext",
+];
+
+/** Builds `dist/` and returns the gzipped size of the wasm [bytes]. */
+export async function buildPackage() {
+  await run("cargo", [
+    ...["build", ...locked, "--quiet", "--release", "--lib"],
+    ...["--target", wasmTarget, "--features", "js"],
+  ]);
+  const inputs = [compiled, "src/js", "scripts/package.mjs", "package-lock.json"];
+  await unlessFresh("target/package.stamp", { inputs, outputs: [shipped] }, assemble);
+  return checkSize();
+}
+
+async function assemble() {
+  console.log("Assembling the package …");
+  const fresh = join(root, "target/dist");
+  rmSync(fresh, { recursive: true, force: true });
+  mkdirSync(fresh, { recursive: true });
+  // The reset function lets init() start afresh after the instance has trapped.
+  await run(xtask, [
+    ...["bindgen", "--target", "web", "--no-typescript", "--experimental-reset-state-function"],
+    ...["--out-name", "g41", "--out-dir", fresh, join(root, compiled)],
+  ]);
+  const wasm = join(fresh, "g41_bg.wasm");
+  await run(process.execPath, [
+    ...[script("binaryen", "wasm-opt"), "-O3", wasm, "--output", wasm],
+    ...wasmFeatures.map((feature) => `--enable-${feature}`),
+  ]);
+  const base64 = readFileSync(wasm).toString("base64");
+  writeFileSync(join(fresh, "g41_bg.wasm.js"), `export default "${base64}";\n`);
+  for (const name of readdirSync(join(root, "src/js"))) {
+    if (name.endsWith(".js")) {
+      cpSync(join(root, "src/js", name), join(fresh, name));
+    }
+  }
+  cpSync(join(root, "src/js/types.d.ts"), join(fresh, "index.d.ts"));
+  // Put in place at once, so that a failed build leaves the last good one.
+  rmSync(join(root, "dist"), { recursive: true, force: true });
+  renameSync(fresh, join(root, "dist"));
+}
+
+function checkSize() {
+  const size = gzipSync(readFileSync(join(root, shipped)), { level: 9 }).length;
+  console.log(`${shipped}: ${kilobytes(size)} gzipped, at most ${kilobytes(sizeLimit)} allowed`);
+  if (size > sizeLimit) {
+    throw new Failure(`${shipped} has grown beyond its limit`);
+  }
+  return size;
+}
+
+/** A size in KB, as people read it. */
+export function kilobytes(bytes) {
+  return `${(bytes / 1024).toFixed(1)} KB`;
+}

@@ -1,0 +1,9 @@
+// The entry that carries the WebAssembly in itself, for bundlers that leave the file behind.
+import load from "./g41.js";
+import base64 from "./g41_bg.wasm.js";
+import { initialiser } from "./lifecycle.js";
+
+export * from "./api.js";
+export default initialiser(() =>
+  load({ module_or_path: Uint8Array.from(atob(base64), (letter) => letter.charCodeAt(0)) }),
+);

@@ -1,0 +1,4 @@
+import init, { version } from "g41";
+
+await init();
+document.querySelector("output")!.textContent = version();
