@@ -1,0 +1,68 @@
+// npm test: builds what npm start builds, then runs every check and every test, and counts them.
+import { mkdirSync, writeFileSync } from "node:fs";
+import { join } from "node:path";
+
+import { browserFlags, provideBrowser } from "./browser.mjs";
+import { main, observe, root, script } from "./command.mjs";
+import { buildPackage, kilobytes } from "./package.mjs";
+import { buildPage } from "./page.mjs";
+import { locked, setup, wasmTarget } from "./setup.mjs";
+import { record, recordCheck, report } from "./tally.mjs";
+
+const node = process.execPath;
+const strict = { RUSTDOCFLAGS: "-D warnings" };
+const onWasm = ["--target", wasmTarget, "--features", "js"];
+
+main(async () => {
+  await setup();
+  const { browser, driver } = await provideBrowser();
+  const size = await buildPackage();
+  await buildPage();
+
+  await check("formatting (rustfmt)", "cargo", ["fmt", "--all", "--check"]);
+  await check("lints (clippy, native)", "cargo", clippy("--workspace", "--all-targets"));
+  await check("lints (clippy, wasm)", "cargo", clippy("--all-targets", ...onWasm));
+  await check("documentation", "cargo", ["doc", ...locked, "--quiet", "--no-deps"], strict);
+  await check("formatting and lints (Biome)", node, [script("@biomejs/biome"), "ci", "."]);
+  await check("types (tsc)", node, [script("typescript", "tsc"), "--noEmit"]);
+
+  await tests("native", "cargo", "cargo", ["test", ...locked]);
+  const inWasm = ["test", ...locked, ...onWasm, "--test", "*"];
+  await tests("wasm in Node", "cargo", "cargo", inWasm);
+  await tests("wasm in browser", "cargo", "cargo", inWasm, {
+    WASM_BINDGEN_USE_BROWSER: "1",
+    WASM_BINDGEN_TEST_WEBDRIVER_JSON: webdriverOptions(browser),
+    CHROMEDRIVER: driver,
+  });
+  const packageTests = ["--test", "--test-reporter=spec", "tests/package/"];
+  await tests("package", "node", node, packageTests, { CHROME_PATH: browser });
+  const pageTests = [script("@playwright/test"), "test"];
+  await tests("page", "playwright", node, pageTests, { CHROME_PATH: browser });
+
+  if (report([["wasm, gzipped", kilobytes(size).padStart(8)]]) > 0) {
+    process.exitCode = 1;
+  }
+});
+
+function clippy(...what) {
+  return ["clippy", ...locked, "--quiet", ...what, "--", "-D", "warnings"];
+}
+
+async function check(title, program, args, env) {
+  console.log(`\n--- ${title}`);
+  recordCheck("checks", await observe(program, args, { env }));
+}
+
+async function tests(row, counter, program, args, env) {
+  console.log(`\n--- tests: ${row}`);
+  record(row, counter, await observe(program, args, { env }));
+}
+
+/** Tells the driver which browser to start, and how; returns the path of the file. */
+function webdriverOptions(browser) {
+  const file = join(root, "target/webdriver.json");
+  mkdirSync(join(root, "target"), { recursive: true });
+  const args = ["--headless=new", ...browserFlags];
+  writeFileSync(file, JSON.stringify({ "goog:chromeOptions": { binary: browser, args } }));
+  return file;
+}
