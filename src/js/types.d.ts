@@ -1,7 +1,476 @@
-/** Loads the package's WebAssembly; in Node it is loaded already. */
+/// <reference lib="esnext.disposable" />
+
+// The public face of the package. Lengths are in mm, angles in rad and counter-clockwise positive,
+// feeds in mm/min. Coordinates are those of the program, with y up.
+
+// --- Loading -----------------------------------------------------------------------------------
+
+/**
+ * Loads the WebAssembly, once; in Node it is loaded already and this does nothing. Called after a
+ * `"trapped"` error it starts afresh.
+ *
+ * @param source where the `.wasm` file is, or its bytes; by default it is found beside the package
+ */
 export default function init(
   source?: RequestInfo | URL | BufferSource | WebAssembly.Module,
 ): Promise<void>;
 
-/** The version of the package. */
-export function version(): string;
+/**
+ * What every function here throws: wrong use, never wrong geometry. Mistakes in a program or a
+ * contour are diagnostics.
+ */
+export interface G41Error extends Error {
+  /**
+   * - `"not-initialised"`: `await init()` was not called yet
+   * - `"bad-argument"`: an argument has the wrong shape, is not finite, or is unknown; see `path`
+   * - `"not-supported"`: an option that this version does not have
+   * - `"several-pieces"`: `polyline` of a path that is not in one piece; use `polylines`
+   * - `"disposed"`: the handle was given back by `using` or `[Symbol.dispose]()`
+   * - `"trapped"`: an earlier call ended in an internal error; `await init()` starts afresh, and
+   *   handles made before are lost
+   */
+  code:
+    | "not-initialised"
+    | "bad-argument"
+    | "not-supported"
+    | "several-pieces"
+    | "disposed"
+    | "trapped";
+  /** For `"bad-argument"`: the place in the arguments, as in `segments[3].to[0]`. */
+  path?: string;
+}
+
+// --- Contours ----------------------------------------------------------------------------------
+
+/** A point in the plane, `[x, y]` [mm]. */
+export type Point = readonly [x: number, y: number];
+
+/** A point in space, `[x, y, z]` [mm]. */
+export type Point3 = readonly [x: number, y: number, z: number];
+
+/** The side of the contour on which the tool runs, seen along the motion: G41 left, G42 right. */
+export type Side = "left" | "right";
+
+/** A straight line from the end of the segment before. */
+export interface LineSegment {
+  kind: "line";
+  to: Point;
+}
+
+/** A circular arc; a full circle where its end is its start. */
+export interface ArcSegment {
+  kind: "arc";
+  to: Point;
+  center: Point;
+  /** `true` as G2, `false` as G3. */
+  clockwise: boolean;
+}
+
+/** The C2 cubic spline through the end of the segment before and these type points. */
+export interface SplineSegment {
+  kind: "spline";
+  /** The type points after the start, the last of which is the end; or `x0, y0, x1, y1, …`. */
+  points: readonly Point[] | Float64Array;
+  /** Tangent at the start, of any length but zero; without it, see `smooth`. */
+  startTangent?: Point;
+  /** Tangent at the end, of any length but zero; without it, see `smooth`. */
+  endTangent?: Point;
+  /**
+   * Whether an end without a given tangent is tangent to a neighbouring line or arc; an end that
+   * has neither is natural (curvature zero). Default `false`.
+   */
+  smooth?: boolean;
+  /**
+   * Whether the end is smoothly the start. Default: `true` where the spline is all of a closed
+   * contour.
+   */
+  periodic?: boolean;
+  /** How the parameter is spaced between type points. Default `"chord"`. */
+  parameter?: "chord" | "centripetal";
+}
+
+/** One segment of a contour; it starts where the one before it ends. */
+export type Segment = LineSegment | ArcSegment | SplineSegment;
+
+/** The programmed boundary of a part. */
+export interface Contour {
+  start: Point;
+  segments: readonly Segment[];
+  /** Whether its end, which must be its start, is a corner or joint too. Default `false`. */
+  closed?: boolean;
+  /** Where a move that switches compensation on comes from; without it there is none. */
+  leadIn?: Point;
+  /** Where a move that switches compensation off goes to; without it there is none. */
+  leadOut?: Point;
+  /** The side, where the options name none. */
+  side?: Side;
+  /** The tool radius [mm], where the options name none. */
+  radius?: number;
+}
+
+/**
+ * One or more contours as numbers, one record after the other:
+ *
+ * | record | numbers |
+ * | --- | --- |
+ * | start of a contour | `0, x, y, closed` |
+ * | line | `1, x, y` |
+ * | arc | `2, x, y, center x, center y, clockwise` |
+ * | spline | `3, flags, start tangent x, y, end tangent x, y, count, x0, y0, x1, y1, …` |
+ * | lead-in | `4, x, y` |
+ * | lead-out | `5, x, y` |
+ *
+ * `closed` and `clockwise` are 0 or 1. `flags` is a sum of: 1 the start tangent is given, 2 the end
+ * tangent is given, 4 smooth, 8 periodic, 16 not periodic, 32 centripetal; a tangent that is not
+ * given still takes its two numbers.
+ */
+export type ContourRecords = Float64Array;
+
+/** Where something was programmed. */
+export type Origin = BlockOrigin | SegmentOrigin;
+
+/** A block of a program. */
+export interface BlockOrigin {
+  /** Line of the text, counted from 1. */
+  block: number;
+  /** The N word, if the block has one. */
+  number?: number;
+  /** Column of the word concerned, counted from 1 in characters. */
+  column?: number;
+}
+
+/** A segment of a contour given from code. */
+export interface SegmentOrigin {
+  /** Index of the segment in its contour. */
+  segment: number;
+  /** Index of the contour, where several were given. */
+  contour?: number;
+}
+
+/** Something found on the way that the user should know. */
+export interface Diagnostic {
+  /** `"info"`: the path is what was asked for; `"error"`: it is wrong or missing at this place. */
+  severity: "info" | "warning" | "error";
+  /** Stable name in kebab-case, for programs to match on. */
+  code: string;
+  /** One sentence with the values, for people to read. */
+  message: string;
+  /** What to do about it. */
+  hint?: string;
+  /** The point concerned. */
+  at?: Point;
+  /** The block or segment concerned. */
+  origin?: Origin;
+  /** How deep the tool cuts into material that should stay [mm]. */
+  depth?: number;
+  /** All blocks or segments concerned, where there is more than one. */
+  segments?: Origin[];
+}
+
+/** Polylines within a tolerance of curves. */
+export interface Polylines {
+  /** All vertices of all pieces: `x0, y0, x1, y1, …`. */
+  points: Float64Array;
+  /** The same vertices with their height: `x0, y0, z0, x1, …`. */
+  points3: Float64Array;
+  /**
+   * Index of the first vertex of each piece; a piece ends where the next one begins, or at the last
+   * vertex. A closed piece repeats its first point as its last.
+   */
+  starts: Uint32Array;
+  /**
+   * For each vertex, what the chord that ends there belongs to (for the first vertex of a piece:
+   * the chord that begins there): an index into `moves` of a path, or the index of a segment,
+   * counted through all contours.
+   */
+  owners: Uint32Array;
+}
+
+/** The polylines of contours: piece i is contour i, empty where it could not be made. */
+export interface FlattenedContours extends Polylines {
+  /** What is wrong with the contours. */
+  diagnostics: Diagnostic[];
+}
+
+/**
+ * Polylines of contours as they are understood, splines included: for drawing what is programmed
+ * and for finding the segment under the pointer. Leads are not part of them.
+ *
+ * @param tolerance largest distance of a chord from its curve [mm]; default 0.001
+ * @throws {G41Error} `"bad-argument"`, `"not-supported"` (a segment of a later version)
+ */
+export function flatten(
+  contour: Contour | readonly Contour[] | ContourRecords,
+  tolerance?: number,
+): FlattenedContours;
+
+// --- Programs ----------------------------------------------------------------------------------
+
+/** How a program is read. */
+export interface ParseOptions {
+  /** The dialect of G-code; this version knows its own reading of the common words only. */
+  dialect?: "auto";
+  /** The profile that decides what G05 means. Only `"g41"` in this version. */
+  profile?: Profile;
+}
+
+/** A named set of the options of `compensate`. Only `"g41"` in this version. */
+export type Profile = "g41";
+
+/**
+ * Reads a program. This never fails as a whole: what was not understood is a diagnostic with its
+ * block and column.
+ *
+ * @throws {G41Error} `"bad-argument"`, `"not-supported"` (another dialect or profile)
+ */
+export function parseProgram(text: string, options?: ParseOptions): Program;
+
+/** A segment of a program. */
+export type ProgrammedSegment = Segment & {
+  /** The block it comes from, the first where there are several. */
+  origin: BlockOrigin;
+};
+
+/** A contour as it is programmed: usable as a contour, so it can be edited and compensated. */
+export interface ProgrammedContour extends Contour {
+  segments: ProgrammedSegment[];
+  closed: boolean;
+  side: Side;
+  /** The tool: the D word, else the T word, if there is one. */
+  tool?: number;
+  /** The radius, where the program itself states it [mm]. */
+  radius?: number;
+  /** Lines of the text from the first to the last block of the contour, counted from 1. */
+  blocks: [first: number, last: number];
+}
+
+/**
+ * A program that was read; compensating it again with other options needs no second reading.
+ *
+ * A handle into the WebAssembly's memory: it frees itself when it is no longer reachable, or at the
+ * end of the block that declares it with `using`.
+ */
+export class Program {
+  private constructor();
+  /** What was found while reading. */
+  readonly diagnostics: Diagnostic[];
+  /** The contours between G41 or G42 and G40, in order. */
+  readonly contours: ProgrammedContour[];
+  /**
+   * The programmed contours as polylines: piece i is `contours[i]`.
+   *
+   * @param tolerance largest distance of a chord from its curve [mm]; default 0.001
+   */
+  polylines(tolerance?: number): Polylines;
+  /** Gives the memory back now; the handle cannot be used after it. */
+  [Symbol.dispose](): void;
+}
+
+// --- Compensation ------------------------------------------------------------------------------
+
+/** Options of `compensate` that do not depend on what is compensated. */
+export interface CompensationOptions {
+  /** A named set of the options below; one that is given explicitly wins. Default `"g41"`. */
+  profile?: Profile;
+  /** How far the path may be from the true equidistant [mm]. Default 0.001. */
+  tolerance?: number;
+  /**
+   * How splines are compensated: `"exact"` is the equidistant curve within the tolerance,
+   * `"type-points"` the spline through the moved type points. Default `"exact"`.
+   */
+  spline?: "exact" | "type-points";
+  /** What is inserted at an outside corner: straight moves or an arc. Default `"linear"`. */
+  corner?: "linear" | "arc";
+  /**
+   * How compensation is switched on and off: `"textbook"` joins the lead to the contour as any
+   * corner, `"perpendicular"` goes straight to the end of the first offset. Default `"textbook"`.
+   */
+  lead?: "textbook" | "perpendicular";
+  /** What becomes of gouges: they are reported. Only `"report"` in this version. */
+  gouge?: "report";
+  /**
+   * Turns that are not a corner, up to this angle [rad]; `"auto"` takes those whose gap is at most
+   * a tenth of the tolerance. Default `"auto"`.
+   */
+  tangentBand?: number | "auto";
+}
+
+/** Options for contours. */
+export interface ContourOptions extends CompensationOptions {
+  /** The side on which the tool runs; required unless the contour names it. */
+  side?: Side;
+  /**
+   * Tool radius [mm]; required unless the contour names it. A negative one swaps the side, zero
+   * gives the contour itself.
+   */
+  radius?: number;
+}
+
+/** Options for programs. */
+export interface ProgramOptions extends CompensationOptions {
+  /** Tools by their number, the D word or else the T word. */
+  tools?: Readonly<Record<number, { radius: number }>>;
+  /** Radius of every tool that `tools` does not list [mm]. */
+  radius?: number;
+}
+
+/**
+ * The path of the tool centre. Nothing reachable gives an empty path and diagnostics, never an
+ * exception.
+ *
+ * @throws {G41Error} `"bad-argument"`, `"not-supported"` (an option value of a later version)
+ */
+export function compensate(program: Program, options?: ProgramOptions): ToolPath;
+export function compensate(
+  contour: Contour | readonly Contour[] | ContourRecords,
+  options?: ContourOptions,
+): ToolPath;
+
+/** What a move is there for; `"free"` moves are not compensated. */
+export type Role = "segment" | "transition" | "lead-in" | "lead-out" | "free";
+
+/** What every move has. */
+export interface MoveBase {
+  /** The plane of an arc or a cubic. Only `"xy"` in this version. */
+  plane: "xy";
+  from: Point3;
+  to: Point3;
+  /** Feed [mm/min], where one is programmed. */
+  feed?: number;
+  role: Role;
+  /** The block or segment it comes from. */
+  origin: Origin;
+}
+
+/** A straight move at rapid speed (G0). */
+export interface RapidMove extends MoveBase {
+  kind: "rapid";
+}
+
+/** A straight move. */
+export interface LineMove extends MoveBase {
+  kind: "line";
+}
+
+/** A circular move, a full circle where it ends at its start; a helix where the heights differ. */
+export interface ArcMove extends MoveBase {
+  kind: "arc";
+  /** The centre, at the height of `from`. */
+  center: Point3;
+  /** `true` as G2, `false` as G3, seen from above. */
+  clockwise: boolean;
+  /** [mm] */
+  radius: number;
+}
+
+/** A cubic Bézier curve. */
+export interface CubicMove extends MoveBase {
+  kind: "cubic";
+  control1: Point3;
+  control2: Point3;
+}
+
+/** One move of the tool centre. */
+export type Move = RapidMove | LineMove | ArcMove | CubicMove;
+
+/** How the offsets of two segments are joined at a corner. */
+export interface Transition {
+  kind: "shortened" | "elongated" | "inserted";
+  /** Angle between the segments on the workpiece side, α in [0, 2π] [rad]. */
+  angle: number;
+  /** The programmed corner. */
+  corner: Point;
+  /**
+   * The points of its construction by name, in the order in which they are found: `P` the corner,
+   * `N1` and `N2` the tool centres at the ends of both offsets, `V` the vertex of the transition
+   * vector, `A1` and `A2` the ends of the inserted straight move.
+   */
+  construction: Record<string, Point>;
+  /** The block or segment that leads out of the corner. */
+  origin: Origin;
+}
+
+/** Where the tool cuts into material that should stay. */
+export interface Gouge {
+  /** `"curvature"`: local, at a bend or corner; `"bottleneck"`: between distant segments. */
+  kind: "curvature" | "bottleneck";
+  /** The point of the contour that is cut deepest. */
+  at: Point;
+  /** How deep [mm]. */
+  depth: number;
+  /** The blocks or segments concerned. */
+  segments: Origin[];
+}
+
+/** How code is written. */
+export interface GcodeOptions {
+  /** For whom: plain G0, G1, G2 and G3, as grbl and every other controller reads them. */
+  target?: "grbl";
+  /** How far arcs and lines in the place of cubics may be from them [mm]. Default 0.001. */
+  tolerance?: number;
+  /** Feed of moves for which none is programmed [mm/min]. */
+  feed?: number;
+}
+
+/** Numbers of one move in `ToolPath.records()`. */
+export const RECORD_STRIDE: 19;
+
+/**
+ * The path of the tool centre.
+ *
+ * A handle into the WebAssembly's memory: it frees itself when it is no longer reachable, or at the
+ * end of the block that declares it with `using`. Lists are unpacked when they are first read.
+ */
+export class ToolPath {
+  private constructor();
+  /** The moves, in order. */
+  readonly moves: Move[];
+  /** The transitions at corners, in order. */
+  readonly transitions: Transition[];
+  /** What was found on the way; for a program, what was found while reading it comes first. */
+  readonly diagnostics: Diagnostic[];
+  /** Local gouges of the path. */
+  readonly gouges: Gouge[];
+  /**
+   * The vertices `x0, y0, x1, y1, …` of a path in one piece, rapid moves apart; empty for an empty
+   * path.
+   *
+   * @param tolerance largest distance of a chord from its move [mm]; default 0.001
+   * @throws {G41Error} `"several-pieces"`, `"bad-argument"`
+   */
+  polyline(tolerance?: number): Float64Array;
+  /**
+   * The vertices of all pieces: moves that follow each other without a gap or a rapid move.
+   *
+   * @param tolerance largest distance of a chord from its move [mm]; default 0.001
+   */
+  polylines(tolerance?: number): Polylines;
+  /**
+   * The moves as numbers, `RECORD_STRIDE` for each:
+   *
+   * | index | number |
+   * | --- | --- |
+   * | 0 | kind: 0 rapid, 1 line, 2 arc, 3 cubic |
+   * | 1 | role: 0 segment, 1 transition, 2 lead-in, 3 lead-out, 4 free |
+   * | 2 | plane: 0 xy |
+   * | 3 | feed [mm/min], NaN where none is programmed |
+   * | 4, 5, 6 | block, N word, column of the origin; NaN where there is none |
+   * | 7, 8 | contour, segment of the origin; NaN where there is none |
+   * | 9, 10, 11 | from x, y, z |
+   * | 12, 13, 14 | to x, y, z |
+   * | 15, 16, 17, 18 | arc: center x, center y, radius, clockwise (0 or 1); cubic: control1 x, y, control2 x, y; else 0 |
+   */
+  records(): Float64Array;
+  /** The path for a canvas, rapid moves apart; only where the environment has `Path2D`. */
+  toPath2D(): Path2D;
+  /** The path as SVG path data (the `d` attribute), rapid moves apart, with y up. */
+  svg(): string;
+  /**
+   * The path as a program for a controller.
+   *
+   * @throws {G41Error} `"bad-argument"`, `"not-supported"` (another target)
+   */
+  gcode(options?: GcodeOptions): string;
+  /** Gives the memory back now; the handle cannot be used after it. */
+  [Symbol.dispose](): void;
+}
