@@ -1,5 +1,5 @@
 // npm test: builds what npm start builds, then runs every check and every test, and counts them.
-import { mkdirSync, writeFileSync } from "node:fs";
+import { mkdirSync, readdirSync, writeFileSync } from "node:fs";
 import { join } from "node:path";
 
 import { browserFlags, provideBrowser } from "./browser.mjs";
@@ -34,7 +34,7 @@ main(async () => {
     WASM_BINDGEN_TEST_WEBDRIVER_JSON: webdriverOptions(browser),
     CHROMEDRIVER: driver,
   });
-  const packageTests = ["--test", "--test-reporter=spec", "tests/package/"];
+  const packageTests = ["--test", "--test-reporter=spec", ...filesIn("tests/package", ".test.mjs")];
   await tests("package", "node", node, packageTests, { CHROME_PATH: browser });
   const pageTests = [script("@playwright/test"), "test"];
   await tests("page", "playwright", node, pageTests, { CHROME_PATH: browser });
@@ -56,6 +56,12 @@ async function check(title, program, args, env) {
 async function tests(row, counter, program, args, env) {
   console.log(`\n--- tests: ${row}`);
   record(row, counter, await observe(program, args, { env }));
+}
+
+/** Named one by one, since Node's versions differ in what they take a folder to mean. */
+function filesIn(folder, ending) {
+  const names = readdirSync(join(root, folder)).filter((name) => name.endsWith(ending));
+  return names.map((name) => `${folder}/${name}`);
 }
 
 /** Tells the driver which browser to start, and how; returns the path of the file. */

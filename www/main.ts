@@ -1,4 +1,4 @@
 import init, { version } from "g41";
 
 await init();
-document.querySelector("output")!.textContent = version();
+document.querySelector("output")?.append(version());

@@ -1,0 +1,48 @@
+// The packed package works in an empty project of every kind that it is made for.
+import assert from "node:assert/strict";
+import { join } from "node:path";
+import { test } from "node:test";
+
+import { script } from "../../scripts/command.mjs";
+import { answer, packed, page, program, runNode, shownBy } from "./consumer.mjs";
+
+const project = packed();
+const show = `document.querySelector("output").textContent = answer;`;
+
+for (const entry of ["g41", "g41/inline"]) {
+  const imports = `import init, { version } from "${entry}";`;
+
+  test(`${entry} is imported by Node`, async () => {
+    const source = `${imports}\n${program}\nconsole.log(answer);`;
+    assert.equal(await runNode(project("esm", { "main.mjs": source }), "main.mjs"), answer);
+  });
+
+  test(`${entry} is required by Node`, async () => {
+    const source = `const { default: init, version } = require("${entry}");
+(async () => { ${program} console.log(answer); })();`;
+    const home = project("cjs", { "main.cjs": source });
+    // Node 20 warns that it is experimental.
+    assert.equal(await runNode(home, "--no-warnings", "main.cjs"), answer);
+  });
+
+  test(`${entry} is built by Vite without configuration`, async () => {
+    const home = project("vite", {
+      "index.html": page(`<script type="module" src="./main.js"></script>`),
+      "main.js": `${imports}\n${program}\n${show}`,
+    });
+    await runNode(home, script("vite"), "build", "--logLevel", "warn");
+    assert.equal(await shownBy(join(home, "dist")), answer);
+  });
+
+  test(`${entry} is imported by a browser through an import map`, async () => {
+    const file = entry === "g41" ? "web.js" : "inline.js";
+    const map = { imports: { [entry]: `./node_modules/g41/dist/${file}` } };
+    const home = project("browser", {
+      "index.html": page(
+        `<script type="module">${imports}\n${program}\n${show}</script>`,
+        `<script type="importmap">${JSON.stringify(map)}</script>`,
+      ),
+    });
+    assert.equal(await shownBy(home), answer);
+  });
+}

@@ -1,0 +1,68 @@
+// The packed package holds what it should, and its types fit every way of importing it.
+import assert from "node:assert/strict";
+import { readdirSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+
+import { publint } from "publint";
+import { formatMessage } from "publint/utils";
+
+import { script } from "../../scripts/command.mjs";
+import { packed, program, runNode } from "./consumer.mjs";
+
+const project = packed();
+
+const compilerOptions = {
+  target: "es2022",
+  lib: ["es2022"],
+  types: [],
+  strict: true,
+  // The package must not lean on the libraries that its user happens to load.
+  skipLibCheck: false,
+  noEmit: true,
+};
+
+for (const [module, moduleResolution] of [
+  ["nodenext", "nodenext"],
+  ["esnext", "bundler"],
+]) {
+  test(`the types are sound for ${moduleResolution}`, async () => {
+    const home = project(`types-${moduleResolution}`, {
+      "package.json": `{ "type": "module" }`,
+      "main.ts": `import init, { version } from "g41";
+import same from "g41/inline";
+${program}
+export const text: string = answer;
+// @ts-expect-error: a misspelt function is found
+init.nothing();
+export const inits: (typeof init)[] = [init, same];`,
+      "tsconfig.json": JSON.stringify({
+        compilerOptions: { ...compilerOptions, module, moduleResolution },
+      }),
+    });
+    await runNode(home, script("typescript", "tsc"));
+  });
+}
+
+test("publint finds nothing to improve", async () => {
+  const home = project("publint", {});
+  const pkgDir = join(home, "node_modules/g41");
+  const { messages, pkg } = await publint({ pkgDir, pack: false });
+  assert.deepEqual(
+    messages.map((message) => formatMessage(message, pkg)),
+    [],
+  );
+});
+
+test("the package holds its files and nothing of the workshop", () => {
+  const home = project("contents", {});
+  const names = readdirSync(join(home, "node_modules/g41"));
+  assert.deepEqual(names.sort(), [
+    "CHANGELOG.md",
+    "LICENSE-APACHE",
+    "LICENSE-MIT",
+    "README.md",
+    "dist",
+    "package.json",
+  ]);
+});
