@@ -23,7 +23,7 @@ main(async () => {
   await check("lints (clippy, native)", "cargo", clippy("--workspace", "--all-targets"));
   await check("lints (clippy, wasm)", "cargo", clippy("--all-targets", ...onWasm));
   await check("documentation", "cargo", ["doc", ...locked, "--quiet", "--no-deps"], strict);
-  await check("formatting and lints (Biome)", node, [script("@biomejs/biome"), "ci", "."]);
+  await check("formatting and lints (Biome)", node, [script("@biomejs/biome", "biome"), "ci", "."]);
   await check("types (tsc)", node, [script("typescript", "tsc"), "--noEmit"]);
 
   await tests("native", "cargo", "cargo", ["test", ...locked]);
@@ -36,7 +36,7 @@ main(async () => {
   });
   const packageTests = ["--test", "--test-reporter=spec", ...filesIn("tests/package", ".test.mjs")];
   await tests("package", "node", node, packageTests, { CHROME_PATH: browser });
-  const pageTests = [script("@playwright/test"), "test"];
+  const pageTests = [script("@playwright/test", "playwright"), "test"];
   await tests("page", "playwright", node, pageTests, { CHROME_PATH: browser });
 
   if (report([["wasm, gzipped", kilobytes(size).padStart(8)]]) > 0) {
