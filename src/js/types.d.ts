@@ -9,11 +9,10 @@
  * Loads the WebAssembly, once; in Node it is loaded already and this does nothing. Called after a
  * `"trapped"` error it starts afresh.
  *
- * @param source where the `.wasm` file is, or its bytes; by default it is found beside the package
+ * @param source where the `.wasm` file is (an address or a `Response`) or what it is (its bytes or
+ *   a `WebAssembly.Module`); by default it is found beside the package
  */
-export default function init(
-  source?: RequestInfo | URL | BufferSource | WebAssembly.Module,
-): Promise<void>;
+export default function init(source?: string | object): Promise<void>;
 
 /**
  * What every function here throws: wrong use, never wrong geometry. Mistakes in a program or a
@@ -462,7 +461,7 @@ export class ToolPath {
    */
   records(): Float64Array;
   /** The path for a canvas, rapid moves apart; only where the environment has `Path2D`. */
-  toPath2D(): Path2D;
+  toPath2D(): Path2DOfEnvironment;
   /** The path as SVG path data (the `d` attribute), rapid moves apart, with y up. */
   svg(): string;
   /**
@@ -474,3 +473,11 @@ export class ToolPath {
   /** Gives the memory back now; the handle cannot be used after it. */
   [Symbol.dispose](): void;
 }
+
+/** `Path2D` where the environment has it, so that the types need no DOM elsewhere. */
+type Path2DOfEnvironment = typeof globalThis extends { Path2D: { prototype: infer Path } }
+  ? Path
+  : never;
+
+/** The version of the package. */
+export function version(): string;
