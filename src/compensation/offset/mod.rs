@@ -1,0 +1,27 @@
+//! Offsets of single segments: the equidistant of a line, an arc or a spline.
+//!
+//! The offset by `δ = σ r` of a curve `C` with left normal `N` is `O = C + δ N`, and
+//! `O' = C' (1 − δ κ)`: where `1 − δ κ` is negative the tool does not fit into the bend, and the
+//! offset runs against the curve.
+
+mod arc;
+mod cusps;
+mod line;
+mod spline;
+
+use glam::DVec2;
+
+pub(super) use arc::{ArcOffset, offset_arc};
+pub(super) use line::offset_line;
+pub(super) use spline::offset_spline;
+
+/// A stretch of one segment that bends tighter than the tool.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Bend {
+    /// The point of the segment that is cut deepest [mm].
+    pub(super) at: DVec2,
+    /// How deep [mm].
+    pub(super) depth: f64,
+    /// Its smallest radius of curvature [mm].
+    pub(super) radius: f64,
+}
