@@ -1,0 +1,153 @@
+//! Joining two runs: which transition their corner takes, and how it comes out.
+
+use glam::DVec2;
+
+use super::run::Run;
+use super::transition::{
+    Flank, Joint, Place, Shortening, Terminal, Vertices, elongated, inserted, shortened,
+};
+use super::type_points::{leg_meets_arc, parameter_beyond};
+use super::{CornerStyle, Options};
+use crate::contour::{Corner, CornerKind, MoveCurve, Tool, TransitionKind};
+use crate::geometry::in_range;
+
+/// Turns this near to ±180° may count as reversals [rad], however wide the tangent band is: a wider
+/// one would take slender inside corners for spikes.
+const MAX_REVERSAL_BAND: f64 = 0.01;
+
+/// How far beyond V the textbook's intersection of leg and circle may lie, as a multiple of the
+/// way from the corner to V; farther off the circle only meets the leg elsewhere.
+const LEG_REACH: f64 = 2.0;
+
+/// What a corner came to.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Solved {
+    /// Tangent: the outgoing offset starts where the incoming ends.
+    Tangent,
+    /// A transition.
+    Transition {
+        kind: TransitionKind,
+        angle: f64,
+        joint: Joint,
+        /// Whether the offsets of an inside corner do not meet.
+        missed: bool,
+    },
+}
+
+/// The corner between two runs.
+pub(super) fn corner_between(incoming: &Run, outgoing: &Run) -> Corner {
+    Corner {
+        point: incoming.segment.curve.end(),
+        incoming: incoming.tangents[1],
+        outgoing: outgoing.tangents[0],
+        incoming_curvature: incoming.curvatures[1],
+        outgoing_curvature: outgoing.curvatures[0],
+    }
+}
+
+/// Classifies a corner.
+pub(super) fn classify(corner: &Corner, tool: Tool, options: &Options) -> CornerKind {
+    let band = options.band(tool.radius());
+    match corner.kind(tool.side(), band) {
+        CornerKind::Tangent => CornerKind::Tangent,
+        CornerKind::Transition { .. } => corner.kind(tool.side(), band.min(MAX_REVERSAL_BAND)),
+    }
+}
+
+/// Solves the corner between two runs; `same` tells that both are one run, closed on itself.
+pub(super) fn solve(
+    incoming: &Run,
+    outgoing: &Run,
+    tool: Tool,
+    options: &Options,
+    same: bool,
+) -> Solved {
+    let corner = corner_between(incoming, outgoing);
+    let CornerKind::Transition { kind, angle } = classify(&corner, tool, options) else {
+        return Solved::Tangent;
+    };
+    let vertices = Vertices::new(&corner, tool);
+    let solved = |joint, missed| Solved::Transition { kind, angle, joint, missed };
+    match kind {
+        TransitionKind::Shortened => {
+            let (leg_in, leg_out) = (leg_of(incoming, 1), leg_of(outgoing, 0));
+            let shortening = shortened(
+                &vertices,
+                flank_of(incoming, leg_in.as_ref()),
+                flank_of(outgoing, leg_out.as_ref()),
+                tool,
+                same,
+            );
+            match shortening {
+                Shortening::Met(joint) => solved(joint, false),
+                Shortening::Missed(joint) => solved(joint, true),
+            }
+        }
+        TransitionKind::Elongated if options.corner == CornerStyle::Linear => {
+            let joint = elongated_on_circle(incoming, outgoing, &vertices).unwrap_or_else(|| {
+                let leg = |run: &Run| run.is_straight() || run.polygon.is_some();
+                elongated(&vertices, leg(incoming), leg(outgoing))
+            });
+            solved(joint, false)
+        }
+        TransitionKind::Inserted if options.corner == CornerStyle::Linear => {
+            let joint = inserted(&vertices, incoming.is_straight(), outgoing.is_straight());
+            solved(joint, false)
+        }
+        TransitionKind::Elongated | TransitionKind::Inserted => {
+            solved(round_the_corner(&vertices, tool), false)
+        }
+    }
+}
+
+/// The joint of an outside corner with an arc about it.
+pub(super) fn round_the_corner(vertices: &Vertices, tool: Tool) -> Joint {
+    Joint {
+        incoming: Terminal::Whole,
+        outgoing: Terminal::Whole,
+        inserted: vertices.corner_arc(tool).into_iter().collect(),
+        construction: vertices.construction(),
+    }
+}
+
+/// The equidistant of the polygon's leg at an end, as one piece.
+fn leg_of(run: &Run, end: usize) -> Option<[MoveCurve; 1]> {
+    Some([MoveCurve::Line(run.polygon?.leg(end)?)])
+}
+
+/// A run as an inside corner sees it: its offset, or the leg's where type points are moved.
+fn flank_of<'a>(run: &'a Run, leg: Option<&'a [MoveCurve; 1]>) -> Flank<'a> {
+    match leg {
+        Some(leg) => Flank { pieces: leg, straight: true },
+        None => Flank { pieces: &run.pieces, straight: run.is_straight() },
+    }
+}
+
+/// The textbook's elongated corner of an arc and a spline: the arc's concentric circle runs on to
+/// the equidistant of the leg ("Tool radius compensation algorithm of spline curve", 2.3.2).
+fn elongated_on_circle(incoming: &Run, outgoing: &Run, vertices: &Vertices) -> Option<Joint> {
+    let v = vertices.v();
+    let near = |point: DVec2| {
+        point.distance(vertices.p) <= LEG_REACH * v.distance(vertices.p) && in_range(point)
+    };
+    let joint = |incoming, outgoing, point| {
+        let mut construction = vertices.construction();
+        construction.push(("V", point));
+        Joint { incoming, outgoing, inserted: Vec::new(), construction }
+    };
+    match (&incoming.polygon, &outgoing.polygon) {
+        (None, Some(polygon)) => {
+            let [MoveCurve::Arc(arc)] = incoming.pieces.as_slice() else { return None };
+            let point = leg_meets_arc(&polygon.leg(0)?, arc, v).filter(|&p| near(p))?;
+            let place = Place { piece: 0, t: parameter_beyond(arc, point, 1) };
+            Some(joint(Terminal::At(place), Terminal::To(point), point))
+        }
+        (Some(polygon), None) => {
+            let [MoveCurve::Arc(arc)] = outgoing.pieces.as_slice() else { return None };
+            let point = leg_meets_arc(&polygon.leg(1)?, arc, v).filter(|&p| near(p))?;
+            let place = Place { piece: 0, t: parameter_beyond(arc, point, 0) };
+            Some(joint(Terminal::To(point), Terminal::At(place), point))
+        }
+        _ => None,
+    }
+}
