@@ -1,0 +1,307 @@
+//! Stringing runs and transitions together to a tool path.
+
+use super::joint::{Solved, solve};
+use super::lead::{LeadJoint, lead_in, lead_out};
+use super::path::{PathBuilder, between};
+use super::report;
+use super::run::Run;
+use super::transition::{Joint, Terminal};
+use super::type_points::as_moves;
+use super::{Options, SplineMethod};
+use crate::contour::{
+    Attributes, Contour, Lead, MoveCurve, Role, Tool, ToolPath, Transition, TransitionKind,
+};
+use crate::diagnostic::Diagnostic;
+use crate::geometry::Line;
+
+/// The path of the centre of `tool` along `contour`.
+///
+/// The path of lines and arcs is exact, that of splines within `options.tolerance`. It is what a
+/// control without a look-ahead beyond the corner would cut: gouges of one segment or one corner
+/// are reported in [`ToolPath::gouges`] and as diagnostics with segment, point and depth; gouges
+/// between distant segments are not looked for. A contour that is closed, and has no lead-in or
+/// lead-out, is joined at its start too, and its path ends where it starts.
+#[must_use]
+pub fn compensate(contour: &Contour, tool: Tool, options: &Options) -> ToolPath {
+    let runs: Vec<Run> =
+        contour.segments().iter().map(|segment| Run::new(segment, tool, options)).collect();
+    let leads = [contour.lead_in(), contour.lead_out()];
+    let closed = contour.is_closed() && leads.iter().all(Option::is_none);
+    let mut corners = Vec::with_capacity(runs.len());
+    for pair in runs.windows(2) {
+        corners.push(solve(&pair[0], &pair[1], tool, options, false));
+    }
+    let (first, last) = (&runs[0], &runs[runs.len() - 1]);
+    let closing = closed.then(|| solve(last, first, tool, options, runs.len() == 1));
+    let assembly = Assembly {
+        contour,
+        tool,
+        options,
+        runs: &runs,
+        corners: &corners,
+        closing: closing.as_ref(),
+        lead_in: leads[0].map(|lead| (lead, lead_in(lead.point, first, tool, options))),
+        lead_out: leads[1].map(|lead| (lead, lead_out(last, lead.point, tool, options))),
+    };
+    assembly.build()
+}
+
+/// Everything solved, to be strung together.
+struct Assembly<'a> {
+    contour: &'a Contour,
+    tool: Tool,
+    options: &'a Options,
+    runs: &'a [Run<'a>],
+    /// Corner `i` lies between the runs `i` and `i + 1`.
+    corners: &'a [Solved],
+    closing: Option<&'a Solved>,
+    lead_in: Option<(&'a Lead, LeadJoint)>,
+    lead_out: Option<(&'a Lead, LeadJoint)>,
+}
+
+impl Assembly<'_> {
+    fn build(&self) -> ToolPath {
+        let mut builder = PathBuilder::default();
+        self.add_lead_in(&mut builder);
+        for (i, run) in self.runs.iter().enumerate() {
+            if i > 0 {
+                self.add_events(&mut builder, i);
+                self.add_corner(&mut builder, &self.corners[i - 1], [i - 1, i]);
+            }
+            self.add_run(&mut builder, i, run);
+        }
+        self.add_events(&mut builder, self.runs.len());
+        if let Some(closing) = self.closing {
+            self.add_corner(&mut builder, closing, [self.runs.len() - 1, 0]);
+        }
+        self.add_lead_out(&mut builder);
+        builder.path
+    }
+
+    /// Attributes of run `i`.
+    fn attributes(&self, i: usize) -> &Attributes {
+        &self.runs[i].segment.attributes
+    }
+
+    fn add_lead_in(&self, builder: &mut PathBuilder) {
+        let Some((lead, solved)) = &self.lead_in else {
+            self.add_events(builder, 0);
+            return;
+        };
+        let point = self.contour.start();
+        let length = lead.point.distance(point);
+        if length < self.tool.radius() {
+            builder.path.diagnostics.push(
+                Diagnostic::warning(
+                    "short-lead-in",
+                    format!(
+                        "the lead-in is {length:.4} mm long, shorter than the tool radius ({:.4} mm)",
+                        self.tool.radius()
+                    ),
+                )
+                .with_point(lead.point)
+                .with_origin(lead.attributes.origin)
+                .with_hint("start farther from the contour"),
+            );
+        }
+        builder.line_to(lead.point, solved.end, Role::LeadIn, &lead.attributes);
+        self.add_events(builder, 0);
+        Self::add_lead_corner(
+            builder,
+            solved,
+            &between(&lead.attributes, self.attributes(0)),
+            point,
+        );
+    }
+
+    fn add_lead_out(&self, builder: &mut PathBuilder) {
+        let Some((lead, solved)) = &self.lead_out else { return };
+        let last = self.attributes(self.runs.len() - 1);
+        let point = self.contour.end();
+        Self::add_lead_corner(builder, solved, &between(last, &lead.attributes), point);
+        builder.line_to(solved.end, lead.point, Role::LeadOut, &lead.attributes);
+    }
+
+    fn add_lead_corner(
+        builder: &mut PathBuilder,
+        solved: &LeadJoint,
+        attributes: &Attributes,
+        corner: glam::DVec2,
+    ) {
+        let Some((kind, angle)) = solved.corner else { return };
+        builder.path.transitions.push(Transition {
+            kind,
+            angle,
+            corner,
+            construction: solved.joint.construction.clone(),
+            origin: attributes.origin,
+        });
+        builder.moves(&solved.joint.inserted, Role::Transition, attributes);
+    }
+
+    fn add_events(&self, builder: &mut PathBuilder, before: usize) {
+        let start = self.runs[0].ends[0];
+        for event in self.contour.events().iter().filter(|event| event.before == before) {
+            builder.event(event, start);
+        }
+    }
+
+    /// The transition between two runs, and what is to be said about it.
+    fn add_corner(&self, builder: &mut PathBuilder, solved: &Solved, [i, j]: [usize; 2]) {
+        let Solved::Transition { kind, angle, joint, missed } = solved else { return };
+        let (incoming, outgoing) = (&self.runs[i], &self.runs[j]);
+        let attributes = between(self.attributes(i), self.attributes(j));
+        let corner = incoming.segment.curve.end();
+        if *missed {
+            let near: Vec<MoveCurve> = Self::near_corner(joint, incoming, outgoing);
+            let segments = [incoming.segment, outgoing.segment];
+            let tolerance = self.options.usable_tolerance();
+            report::missed_corner(&mut builder.path, corner, segments, &near, self.tool, tolerance);
+        }
+        if *kind == TransitionKind::Elongated
+            && incoming.polygon.is_some()
+            && outgoing.polygon.is_some()
+        {
+            builder.path.diagnostics.push(
+                Diagnostic::info(
+                    "splines-meet-elongated",
+                    "two splines meet in an elongated corner; they are generally one spline",
+                )
+                .with_point(corner)
+                .with_origin(attributes.origin)
+                .with_hint("leave out the repeated type point if no corner is meant"),
+            );
+        }
+        builder.path.transitions.push(Transition {
+            kind: *kind,
+            angle: *angle,
+            corner,
+            construction: joint.construction.clone(),
+            origin: attributes.origin,
+        });
+        builder.moves(&joint.inserted, Role::Transition, &attributes);
+    }
+
+    /// The moves beside a corner whose offsets do not meet: the nearest piece of each.
+    fn near_corner(joint: &Joint, incoming: &Run, outgoing: &Run) -> Vec<MoveCurve> {
+        let mut near = joint.inserted.clone();
+        if let (Terminal::To(v), Terminal::To(_)) = (joint.incoming, joint.outgoing) {
+            let lines = [Line::new(incoming.ends[0], v), Line::new(v, outgoing.ends[1])];
+            near.extend(lines.into_iter().flatten().map(MoveCurve::Line));
+        } else {
+            near.extend(incoming.pieces.last());
+            near.extend(outgoing.pieces.first());
+        }
+        near
+    }
+
+    /// The terminals of run `i`.
+    fn terminals(&self, i: usize) -> [Terminal; 2] {
+        let last = self.runs.len() - 1;
+        let start = if i > 0 {
+            self.outgoing_terminal(&self.corners[i - 1], i - 1)
+        } else if let Some((_, lead)) = &self.lead_in {
+            lead.joint.outgoing
+        } else {
+            self.closing.map_or(Terminal::Whole, |solved| self.outgoing_terminal(solved, last))
+        };
+        let incoming = |solved: &Solved| match solved {
+            Solved::Tangent => Terminal::Whole,
+            Solved::Transition { joint, .. } => joint.incoming,
+        };
+        let end = if i < last {
+            incoming(&self.corners[i])
+        } else if let Some((_, lead)) = &self.lead_out {
+            lead.joint.incoming
+        } else {
+            self.closing.map_or(Terminal::Whole, incoming)
+        };
+        [start, end]
+    }
+
+    /// How the run after run `i` starts.
+    fn outgoing_terminal(&self, solved: &Solved, i: usize) -> Terminal {
+        match solved {
+            Solved::Tangent => Terminal::Moved(self.runs[i].ends[1]),
+            Solved::Transition { joint, .. } => joint.outgoing,
+        }
+    }
+
+    /// The moves of run `i`, and what is to be said about them.
+    fn add_run(&self, builder: &mut PathBuilder, i: usize, run: &Run) {
+        let tolerance = self.options.usable_tolerance();
+        let attributes = self.attributes(i);
+        let [start, end] = self.terminals(i);
+        if run.polygon.is_some() {
+            self.add_type_points(builder, run, [start, end]);
+            return;
+        }
+        let (moves, backwards) = run.between(start, end);
+        for bend in run.bends.iter().filter(|bend| bend.depth > tolerance) {
+            report::bend(&mut builder.path, bend, attributes.origin, self.tool);
+        }
+        if backwards {
+            let around = i.saturating_sub(1)..(i + 2).min(self.runs.len());
+            let segments: Vec<_> = self.runs[around].iter().map(|run| run.segment).collect();
+            report::backwards(
+                &mut builder.path,
+                &segments,
+                run.segment,
+                &moves,
+                self.tool,
+                tolerance,
+            );
+        }
+        builder.moves(&moves, Role::Segment, attributes);
+    }
+
+    /// The spline through moved type points, and how far it is off.
+    fn add_type_points(&self, builder: &mut PathBuilder, run: &Run, terminals: [Terminal; 2]) {
+        let Some(polygon) = &run.polygon else { return };
+        let attributes = &run.segment.attributes;
+        let origin = attributes.origin;
+        let moved = match polygon.moved(terminals[0], terminals[1]) {
+            Ok(moved) => moved,
+            Err(error) => {
+                // Moved points that fall together: the exact offset stands in.
+                builder.path.diagnostics.push(
+                    Diagnostic::error(
+                        "type-points-collapse",
+                        format!("the moved type points make no spline: {error}"),
+                    )
+                    .with_point(run.segment.curve.start())
+                    .with_origin(origin)
+                    .with_hint("use a smaller tool, or spline: \"exact\""),
+                );
+                let exact = Options { spline: SplineMethod::Exact, ..*self.options };
+                let run = Run::new(run.segment, self.tool, &exact);
+                let (moves, _) = run.between(Terminal::Whole, Terminal::Whole);
+                builder.moves(&moves, Role::Segment, attributes);
+                return;
+            }
+        };
+        if let Some(span) = polygon.turned_span(&moved) {
+            let point = polygon.spline().points()[span];
+            builder.path.diagnostics.push(
+                Diagnostic::error(
+                    "type-points-turn",
+                    format!("the moved type points {span} and {} change their order: the tool does not fit between them", span + 1),
+                )
+                .with_point(point)
+                .with_origin(origin)
+                .with_hint("use a smaller tool, or fewer type points in the bend"),
+            );
+        }
+        let (deviation, at) = polygon.deviation(&moved);
+        builder.path.diagnostics.push(
+            Diagnostic::info(
+                "type-points-deviation",
+                format!("the spline through the moved type points is up to {deviation:.6} mm off the true equidistant"),
+            )
+            .with_point(at)
+            .with_depth(deviation)
+            .with_origin(origin),
+        );
+        builder.moves(&as_moves(&moved), Role::Segment, attributes);
+    }
+}

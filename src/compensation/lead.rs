@@ -1,0 +1,111 @@
+//! Lead-in and lead-out: the straight moves that switch compensation on and off.
+//!
+//! "Tool radius compensation algorithm of spline curve", 2.4. Round an outside corner the lead-in
+//! ends beside its own end, at `N1 = P + r n1`, and the corner follows as any other; into an inside
+//! corner it goes straight to `N2 = P + r n2`, beside the start of the contour. The lead-out is the
+//! same thing backwards.
+
+use glam::DVec2;
+
+use super::joint::{classify, round_the_corner};
+use super::run::Run;
+use super::transition::{Joint, Terminal, Vertices, elongated, inserted};
+use super::{CornerStyle, LeadStyle, Options};
+use crate::contour::{Corner, CornerKind, Tool, TransitionKind};
+use crate::geometry::direction;
+
+/// How a lead and the contour are joined.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct LeadJoint {
+    /// Where the lead meets what it leads to or from [mm].
+    pub(super) end: DVec2,
+    /// The kind and angle of the corner, unless it is tangent or there is none.
+    pub(super) corner: Option<(TransitionKind, f64)>,
+    /// Moves between lead and contour, and the terminal of the contour.
+    pub(super) joint: Joint,
+}
+
+/// The lead-in from `from` to the start of `outgoing`.
+pub(super) fn lead_in(from: DVec2, outgoing: &Run, tool: Tool, options: &Options) -> LeadJoint {
+    let point = outgoing.segment.curve.start();
+    let beside = outgoing.ends[0];
+    let straight =
+        |corner, construction| LeadJoint { end: beside, corner, joint: whole(construction) };
+    // Switched on without a move: there is no direction to come from.
+    let Some(along) = direction(point - from) else { return straight(None, Vec::new()) };
+    let corner = Corner {
+        point,
+        incoming: along,
+        outgoing: outgoing.tangents[0],
+        incoming_curvature: 0.0,
+        outgoing_curvature: outgoing.curvatures[0],
+    };
+    let vertices = Vertices::new(&corner, tool);
+    match classify(&corner, tool, options) {
+        CornerKind::Tangent => straight(None, Vec::new()),
+        CornerKind::Transition { kind, angle } => {
+            let around = options.lead == LeadStyle::Textbook && kind != TransitionKind::Shortened;
+            if !around {
+                return straight(Some((kind, angle)), vertices.construction());
+            }
+            let joint =
+                around_corner(kind, &vertices, [false, outgoing.is_straight()], tool, options);
+            LeadJoint { end: vertices.n1, corner: Some((kind, angle)), joint }
+        }
+    }
+}
+
+/// The lead-out from the end of `incoming` to `to`.
+pub(super) fn lead_out(incoming: &Run, to: DVec2, tool: Tool, options: &Options) -> LeadJoint {
+    let point = incoming.segment.curve.end();
+    let beside = incoming.ends[1];
+    let straight =
+        |corner, construction| LeadJoint { end: beside, corner, joint: whole(construction) };
+    let Some(along) = direction(to - point) else { return straight(None, Vec::new()) };
+    let corner = Corner {
+        point,
+        incoming: incoming.tangents[1],
+        outgoing: along,
+        incoming_curvature: incoming.curvatures[1],
+        outgoing_curvature: 0.0,
+    };
+    let vertices = Vertices::new(&corner, tool);
+    match classify(&corner, tool, options) {
+        CornerKind::Tangent => straight(None, Vec::new()),
+        CornerKind::Transition { kind, angle } => {
+            let around = options.lead == LeadStyle::Textbook && kind != TransitionKind::Shortened;
+            if !around {
+                return straight(Some((kind, angle)), vertices.construction());
+            }
+            let joint =
+                around_corner(kind, &vertices, [incoming.is_straight(), false], tool, options);
+            LeadJoint { end: vertices.n2, corner: Some((kind, angle)), joint }
+        }
+    }
+}
+
+/// Round an outside corner; the lead itself is not run on, as it does not lie beside its line.
+fn around_corner(
+    kind: TransitionKind,
+    vertices: &Vertices,
+    straight: [bool; 2],
+    tool: Tool,
+    options: &Options,
+) -> Joint {
+    match (options.corner, kind) {
+        (CornerStyle::Arc, _) => round_the_corner(vertices, tool),
+        (CornerStyle::Linear, TransitionKind::Inserted) => {
+            inserted(vertices, straight[0], straight[1])
+        }
+        (CornerStyle::Linear, _) => elongated(vertices, straight[0], straight[1]),
+    }
+}
+
+fn whole(construction: Vec<(&'static str, DVec2)>) -> Joint {
+    Joint {
+        incoming: Terminal::Whole,
+        outgoing: Terminal::Whole,
+        inserted: Vec::new(),
+        construction,
+    }
+}

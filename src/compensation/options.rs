@@ -1,0 +1,90 @@
+//! What the caller may choose about compensation.
+
+/// How an outside corner is joined.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum CornerStyle {
+    /// By straight moves: the tool keeps clear of sharp corners.
+    #[default]
+    Linear,
+    /// By an arc about the corner: the shortest way round.
+    Arc,
+}
+
+/// How a spline is offset.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SplineMethod {
+    /// The true equidistant, within the tolerance.
+    #[default]
+    Exact,
+    /// The spline through moved type points ("Tool radius compensation algorithm of spline
+    /// curve", 2.3): at radius r at the type points, somewhat off between them.
+    TypePoints,
+}
+
+/// How compensation is switched on and off.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum LeadStyle {
+    /// As the article has it (2.4): round the corner between lead and contour as round any other.
+    #[default]
+    Textbook,
+    /// Straight to the point beside the start of the first segment, and straight away from beside
+    /// the end of the last (FANUC type A).
+    Perpendicular,
+}
+
+/// Which turns are no corners.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum TangentBand {
+    /// Turns φ with `r |φ| ≤ tolerance / 10`: the gap they leave is far within the tolerance.
+    #[default]
+    Auto,
+    /// Turns of at most this angle [rad].
+    Angle(f64),
+}
+
+/// Choices of [`compensate`](super::compensate).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Options {
+    /// Largest distance of the path of a spline from the true equidistant [mm].
+    pub tolerance: f64,
+    /// How outside corners are joined.
+    pub corner: CornerStyle,
+    /// How splines are offset.
+    pub spline: SplineMethod,
+    /// How compensation is switched on and off.
+    pub lead: LeadStyle,
+    /// Which turns are no corners.
+    pub tangent_band: TangentBand,
+}
+
+impl Default for Options {
+    fn default() -> Self {
+        Self {
+            tolerance: 0.001,
+            corner: CornerStyle::default(),
+            spline: SplineMethod::default(),
+            lead: LeadStyle::default(),
+            tangent_band: TangentBand::default(),
+        }
+    }
+}
+
+/// Finest tolerance [mm]: below it, coordinates of a metre have no digits left.
+pub const MIN_TOLERANCE: f64 = 1e-9;
+
+impl Options {
+    /// The tolerance, at least [`MIN_TOLERANCE`].
+    #[must_use]
+    pub fn usable_tolerance(&self) -> f64 {
+        self.tolerance.max(MIN_TOLERANCE)
+    }
+
+    /// The largest turn that is no corner for a tool of `radius` [mm], in rad.
+    #[must_use]
+    pub fn band(&self, radius: f64) -> f64 {
+        match self.tangent_band {
+            TangentBand::Auto => 0.1 * self.usable_tolerance() / radius,
+            TangentBand::Angle(angle) => angle,
+        }
+    }
+}

@@ -1,0 +1,93 @@
+//! Collecting the moves of a tool path, one after the other.
+
+use glam::DVec2;
+
+use crate::contour::{
+    Attributes, AuxiliaryWords, Event, EventKind, Move, MoveCurve, Role, ToolPath,
+};
+use crate::geometry::{Line, MIN_LENGTH};
+
+/// A tool path in the making.
+#[derive(Debug, Default)]
+pub(super) struct PathBuilder {
+    pub(super) path: ToolPath,
+}
+
+impl PathBuilder {
+    /// Where the tool is, once it has moved [mm].
+    fn position(&self) -> Option<DVec2> {
+        self.path.moves.last().map(|last| last.curve.end())
+    }
+
+    /// Appends moves of one segment, whose change of height is spread over their length.
+    pub(super) fn moves(&mut self, curves: &[MoveCurve], role: Role, attributes: &Attributes) {
+        let [z0, z1] = attributes.z;
+        let climbs = z0 != z1;
+        let total: f64 = if climbs { curves.iter().map(MoveCurve::length).sum() } else { 0.0 };
+        let mut run = 0.0;
+        let mut z = z0;
+        for (i, curve) in curves.iter().enumerate() {
+            self.bridge(curve.start(), role, attributes, z);
+            let to = if climbs && i + 1 < curves.len() {
+                run += curve.length();
+                z0 + (z1 - z0) * run / total
+            } else {
+                z1
+            };
+            self.push(*curve, role, attributes, [z, to]);
+            z = to;
+        }
+        if climbs
+            && curves.is_empty()
+            && let Some(at) = self.position()
+        {
+            // The segment has come to a point; its change of height has not.
+            self.push(MoveCurve::Vertical(at), role, attributes, [z0, z1]);
+        }
+    }
+
+    /// A straight move to `point`, nothing if the tool is there.
+    pub(super) fn line_to(&mut self, from: DVec2, point: DVec2, role: Role, with: &Attributes) {
+        if let Ok(line) = Line::new(from, point) {
+            self.moves(&[MoveCurve::Line(line)], role, with);
+        }
+    }
+
+    /// What happens between two segments.
+    pub(super) fn event(&mut self, event: &Event, at: DVec2) {
+        match &event.kind {
+            EventKind::Words(words) => self.path.words.push(AuxiliaryWords {
+                before: self.path.moves.len(),
+                words: words.clone(),
+                origin: event.origin,
+            }),
+            EventKind::Vertical(attributes) => {
+                let at = self.position().unwrap_or(at);
+                self.push(MoveCurve::Vertical(at), Role::Segment, attributes, attributes.z);
+            }
+        }
+    }
+
+    /// Closes the gap to the next move where a segment in between has come to a point.
+    fn bridge(&mut self, to: DVec2, role: Role, attributes: &Attributes, z: f64) {
+        if let Some(from) = self.position()
+            && from.distance(to) > MIN_LENGTH
+            && let Ok(line) = Line::new(from, to)
+        {
+            self.push(MoveCurve::Line(line), role, attributes, [z, z]);
+        }
+    }
+
+    fn push(&mut self, curve: MoveCurve, role: Role, attributes: &Attributes, z: [f64; 2]) {
+        let Attributes { origin, feed, rapid, .. } = *attributes;
+        self.path.moves.push(Move { curve, role, rapid, feed, z, origin });
+    }
+}
+
+/// What a move between two segments carries: rapid only between rapids, at the feed of the
+/// segment it comes from, at the height where the next one starts.
+pub(super) fn between(incoming: &Attributes, outgoing: &Attributes) -> Attributes {
+    let rapid = incoming.rapid && outgoing.rapid;
+    let feed = if incoming.rapid { outgoing.feed } else { incoming.feed.or(outgoing.feed) };
+    Attributes { origin: outgoing.origin, feed, rapid, z: [outgoing.z[0]; 2] }
+}

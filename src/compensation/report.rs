@@ -1,0 +1,124 @@
+//! Telling the user where the tool does not fit: gouges with segment, point and depth.
+
+use glam::DVec2;
+
+use super::offset::Bend;
+use crate::contour::{Gouge, GougeKind, MoveCurve, Segment, Tool, ToolPath};
+use crate::diagnostic::{Diagnostic, Origin};
+
+/// Places on each move at which its distance from the contour is measured.
+const DEPTH_SAMPLES: usize = 16;
+
+/// Reports a stretch that bends tighter than the tool.
+pub(super) fn bend(path: &mut ToolPath, bend: &Bend, origin: Origin, tool: Tool) {
+    let message = format!(
+        "the contour bends to a radius of {:.4} mm, tighter than the tool ({:.4} mm); the path cuts {:.4} mm too deep",
+        bend.radius,
+        tool.radius(),
+        bend.depth
+    );
+    let hint = format!("use a tool radius of at most {:.4} mm", bend.radius);
+    gouge(
+        path,
+        "curvature-gouge",
+        message,
+        hint,
+        bend.at,
+        bend.depth,
+        GougeKind::Curvature,
+        &[origin],
+    );
+}
+
+/// Reports an inside corner whose offsets do not meet.
+pub(super) fn missed_corner(
+    path: &mut ToolPath,
+    corner: DVec2,
+    segments: [&Segment; 2],
+    near: &[MoveCurve],
+    tool: Tool,
+    tolerance: f64,
+) {
+    let origins = segments.map(|segment| segment.attributes.origin);
+    let (depth, at) = depth_of(near, &segments, tool, corner);
+    let hint = "use a smaller tool, or make the segments at this corner longer";
+    if depth > tolerance {
+        let message = format!(
+            "the offsets of the inside corner do not meet; the path cuts {depth:.4} mm too deep"
+        );
+        let code = "corner-gouge";
+        gouge(path, code, message, hint.into(), at, depth, GougeKind::Curvature, &origins);
+    } else {
+        let message = "the offsets of the inside corner do not meet; the tool leaves material";
+        path.diagnostics.push(
+            Diagnostic::warning("corner-not-reached", message)
+                .with_point(corner)
+                .with_origin(origins[1])
+                .with_hint(hint)
+                .with_segments(origins),
+        );
+    }
+}
+
+/// Reports a segment whose offset runs backwards, as its corners cut off more than all of it.
+pub(super) fn backwards(
+    path: &mut ToolPath,
+    segments: &[&Segment],
+    middle: &Segment,
+    moves: &[MoveCurve],
+    tool: Tool,
+    tolerance: f64,
+) {
+    let start = middle.curve.start();
+    let (depth, at) = depth_of(moves, segments, tool, start);
+    // A segment that only just vanishes turns around by a rounding.
+    if depth <= tolerance {
+        return;
+    }
+    let message = format!(
+        "the segment is too short between its inside corners for the tool; the path cuts {depth:.4} mm too deep"
+    );
+    let origins: Vec<Origin> = segments.iter().map(|s| s.attributes.origin).collect();
+    let hint = "use a smaller tool".into();
+    gouge(path, "segment-vanishes", message, hint, at, depth, GougeKind::Bottleneck, &origins);
+}
+
+/// How much nearer than r the moves come to the segments, and the point of the contour there.
+fn depth_of(moves: &[MoveCurve], segments: &[&Segment], tool: Tool, place: DVec2) -> (f64, DVec2) {
+    let mut deepest = (0.0, place);
+    for piece in moves {
+        for k in 0..=DEPTH_SAMPLES {
+            let center = piece.point(k as f64 / DEPTH_SAMPLES as f64);
+            for segment in segments {
+                let nearest = segment.curve.nearest(center);
+                let depth = tool.radius() - nearest.distance;
+                if depth > deepest.0 {
+                    deepest = (depth, nearest.point);
+                }
+            }
+        }
+    }
+    deepest
+}
+
+#[expect(clippy::too_many_arguments, reason = "a gouge and its diagnostic say the same things")]
+fn gouge(
+    path: &mut ToolPath,
+    code: &'static str,
+    message: String,
+    hint: String,
+    at: DVec2,
+    depth: f64,
+    kind: GougeKind,
+    segments: &[Origin],
+) {
+    path.diagnostics.push(
+        Diagnostic::error(code, message)
+            .with_hint(hint)
+            .with_point(at)
+            .with_depth(depth)
+            .with_origin(segments[segments.len() / 2])
+            .with_segments(segments.iter().copied()),
+    );
+    path.gouges.push(Gouge { kind, at, depth, segments: segments.to_vec() });
+}
