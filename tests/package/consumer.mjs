@@ -1,5 +1,5 @@
 // Makes empty projects outside the repository that use the packed package as anybody would.
-import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from "node:fs";
+import { cpSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join } from "node:path";
 import { after, before } from "node:test";
@@ -7,12 +7,14 @@ import { after, before } from "node:test";
 import { chromium } from "@playwright/test";
 
 import { browserFlags, findBrowser } from "../../scripts/browser.mjs";
-import { npm, observe } from "../../scripts/command.mjs";
+import { npm, observe, root } from "../../scripts/command.mjs";
 import { serve } from "../../scripts/page.mjs";
+
+const manifest = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
 
 /** What a project says with the package, and what it must hear. */
 export const program = `await init();\nconst answer = version();`;
-export const answer = "0.1.0";
+export const answer = manifest.version;
 
 /** Packs the package once for a test file; the function returned makes a project with it. */
 export function packed() {
@@ -21,7 +23,9 @@ export function packed() {
     folder = mkdtempSync(join(tmpdir(), "g41-"));
     write(folder, { "package.json": "{}" });
     await npm(["pack", "--silent", "--pack-destination", folder]);
-    await npm(["install", "--silent", "--offline", "./g41-0.1.0.tgz"], { cwd: folder });
+    await npm(["install", "--silent", "--offline", `./g41-${manifest.version}.tgz`], {
+      cwd: folder,
+    });
   });
   after(() => rmSync(folder, { recursive: true, force: true }));
 
