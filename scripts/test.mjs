@@ -1,5 +1,6 @@
 // npm test: builds what npm start builds, then runs every check and every test, and counts them.
 import { mkdirSync, readdirSync, writeFileSync } from "node:fs";
+import { createServer } from "node:net";
 import { join } from "node:path";
 
 import { browserFlags, provideBrowser } from "./browser.mjs";
@@ -11,6 +12,7 @@ import { record, recordCheck, report } from "./tally.mjs";
 
 const node = process.execPath;
 const strict = { RUSTDOCFLAGS: "-D warnings" };
+const cargoTest = ["test", ...locked, "--no-fail-fast"];
 const onWasm = ["--target", wasmTarget, "--features", "js"];
 
 main(async () => {
@@ -23,21 +25,31 @@ main(async () => {
   await check("lints (clippy, native)", "cargo", clippy("--workspace", "--all-targets"));
   await check("lints (clippy, wasm)", "cargo", clippy("--all-targets", ...onWasm));
   await check("documentation", "cargo", ["doc", ...locked, "--quiet", "--no-deps"], strict);
-  await check("formatting and lints (Biome)", node, [script("@biomejs/biome", "biome"), "ci", "."]);
-  await check("types (tsc)", node, [script("typescript", "tsc"), "--noEmit"]);
+  await check("formatting and lints (Biome)", node, [
+    script("@biomejs/biome", "biome"),
+    "ci",
+    "--error-on-warnings",
+    ".",
+  ]);
 
-  await tests("native", "cargo", "cargo", ["test", ...locked]);
-  const inWasm = ["test", ...locked, ...onWasm, "--test", "*"];
+  await tests("native", "cargo", "cargo", [...cargoTest, "--features", "js"]);
+  // After the native tests, which write samples of what crosses the boundary for it to check.
+  await check("types (tsc)", node, [script("typescript", "tsc"), "--noEmit"]);
+  const inWasm = [...cargoTest, ...onWasm, "--test", "*"];
   await tests("wasm in Node", "cargo", "cargo", inWasm);
   await tests("wasm in browser", "cargo", "cargo", inWasm, {
     WASM_BINDGEN_USE_BROWSER: "1",
+    // Seconds: a busy machine is slow to start a browser, and seeded tests run for long.
+    WASM_BINDGEN_TEST_DRIVER_TIMEOUT: "60",
+    WASM_BINDGEN_TEST_TIMEOUT: "600",
     WASM_BINDGEN_TEST_WEBDRIVER_JSON: webdriverOptions(browser),
     CHROMEDRIVER: driver,
   });
   const packageTests = ["--test", "--test-reporter=spec", ...filesIn("tests/package", ".test.mjs")];
   await tests("package", "node", node, packageTests, { CHROME_PATH: browser });
   const pageTests = [script("@playwright/test", "playwright"), "test"];
-  await tests("page", "playwright", node, pageTests, { CHROME_PATH: browser });
+  const port = String(await freePort());
+  await tests("page", "playwright", node, pageTests, { CHROME_PATH: browser, G41_TEST_PORT: port });
 
   if (report([["wasm, gzipped", kilobytes(size).padStart(8)]]) > 0) {
     process.exitCode = 1;
@@ -56,6 +68,17 @@ async function check(title, program, args, env) {
 async function tests(row, counter, program, args, env) {
   console.log(`\n--- tests: ${row}`);
   record(row, counter, await observe(program, args, { env }));
+}
+
+/** A port that nobody uses, so that two runs on one machine do not meet. */
+function freePort() {
+  const server = createServer();
+  return new Promise((resolve) => {
+    server.listen(0, "127.0.0.1", () => {
+      const { port } = server.address();
+      server.close(() => resolve(port));
+    });
+  });
 }
 
 /** Named one by one, since Node's versions differ in what they take a folder to mean. */
