@@ -1,9 +1,9 @@
 //! From a contour to the path of the tool centre.
 //!
-//! Each segment becomes a run, its whole offset ([`offset`]). Each corner between two runs is
-//! classified and solved on the *whole* offsets ([`joint`], [`transition`]): it tells where both
+//! Each segment becomes a run, its whole offset (`offset`). Each corner between two runs is
+//! classified and solved on the *whole* offsets (`joint`, `transition`): it tells where both
 //! runs end and which moves stand between them. Last, the runs are cut or run on to their two
-//! ends and strung together with what was inserted ([`assemble`]). No step looks further than the
+//! ends and strung together with what was inserted (`assemble`). No step looks further than the
 //! two segments of a corner: gouges between distant segments are not seen here, nor avoided.
 
 mod assemble;
