@@ -94,3 +94,4 @@ pub mod diagnostic;
 pub mod geometry;
 #[cfg(feature = "js")]
 pub mod js;
+pub mod program;

@@ -1,0 +1,394 @@
+//! The course of a program: free moves, and contours between the words that switch compensation.
+//!
+//! Compensation begins with the first straight move after G41 or G42, the lead-in, and ends with
+//! the first straight move after G40, the lead-out. What lies between is one contour; moves along
+//! z and words that move nothing become its events. Everything else is free.
+
+use glam::DVec2;
+
+use super::report::Report;
+use crate::contour::{
+    Attributes, Contour, ContourBuilder, EventKind, Lead, Move, MoveCurve, Role, Shape, Side,
+};
+use crate::diagnostic::{Diagnostic, Origin};
+use crate::geometry::{Curve, Line};
+
+/// One step of an interpreted program.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Item {
+    /// A move without compensation.
+    Free(Move),
+    /// Words to be passed through. They move nothing, apart from one case: a block that goes to
+    /// coordinate zero before the program has said where the tool is, such as `G0 X0 Y0`.
+    Words {
+        /// The words: M, S and T words, comments.
+        words: String,
+        /// The block they come from.
+        origin: Origin,
+    },
+    /// A contour to be compensated.
+    Contour(ProgrammedContour),
+}
+
+/// A contour between the words that switch compensation on and off.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProgrammedContour {
+    /// The contour with its lead-in and lead-out.
+    pub contour: Contour,
+    /// The side of the tool.
+    pub side: Side,
+    /// Where the tool radius comes from.
+    pub radius: RadiusSource,
+    /// The line of the word that switches on, and the last line that belongs to the contour.
+    pub blocks: [u32; 2],
+}
+
+/// Where a tool radius comes from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RadiusSource {
+    /// The table of tools: the D word, or the active tool where there is none.
+    Tool(u32),
+    /// The program itself [mm].
+    Given(f64),
+}
+
+/// Compensation as it is to be switched on.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct SwitchOn {
+    pub(super) side: Side,
+    pub(super) radius: RadiusSource,
+    pub(super) origin: Origin,
+}
+
+/// The items of a program as they grow.
+#[derive(Debug)]
+pub(super) struct Course {
+    items: Vec<Item>,
+    state: State,
+}
+
+#[derive(Debug)]
+enum State {
+    /// No compensation.
+    Off,
+    /// G41 or G42 was read, its first straight move was not.
+    Waiting(SwitchOn),
+    /// In a contour.
+    On(Open),
+    /// G40 was read, its first straight move was not.
+    Ending(Open),
+}
+
+/// A contour whose end is not known yet.
+#[derive(Debug)]
+struct Open {
+    switched: SwitchOn,
+    builder: ContourBuilder,
+    start: DVec2,
+    lead_in: Option<Lead>,
+    /// The events once more, for when no contour comes of it.
+    events: Vec<(EventKind, Origin)>,
+    last_line: u32,
+}
+
+impl Open {
+    fn new(switched: SwitchOn, start: DVec2, lead_in: Option<Lead>) -> Self {
+        let mut builder = ContourBuilder::new(start);
+        let mut last_line = line_of(switched.origin);
+        if let Some(lead) = lead_in {
+            builder.lead_in(lead);
+            last_line = line_of(lead.attributes.origin);
+        }
+        Self { switched, builder, start, lead_in, events: Vec::new(), last_line }
+    }
+
+    fn event(&mut self, kind: EventKind, origin: Origin) {
+        self.builder.event(kind.clone(), origin);
+        self.events.push((kind, origin));
+        self.last_line = line_of(origin);
+    }
+}
+
+impl Course {
+    pub(super) fn new() -> Self {
+        Self { items: Vec::new(), state: State::Off }
+    }
+
+    /// Whether moves are free.
+    pub(super) fn is_off(&self) -> bool {
+        matches!(self.state, State::Off)
+    }
+
+    /// The side of the tool, while compensation is on: its lead-in made and G40 not yet read.
+    pub(super) fn side(&self) -> Option<Side> {
+        match &self.state {
+            State::On(open) => Some(open.switched.side),
+            State::Off | State::Waiting(_) | State::Ending(_) => None,
+        }
+    }
+
+    /// Words that move nothing.
+    pub(super) fn words(&mut self, words: String, origin: Origin) {
+        match &mut self.state {
+            State::Off | State::Waiting(_) => self.items.push(Item::Words { words, origin }),
+            State::On(open) | State::Ending(open) => open.event(EventKind::Words(words), origin),
+        }
+    }
+
+    /// A move along z at `at` [mm].
+    pub(super) fn vertical(&mut self, at: DVec2, attributes: Attributes) {
+        match &mut self.state {
+            State::Off | State::Waiting(_) => self.free(MoveCurve::Vertical(at), &attributes),
+            State::On(open) | State::Ending(open) => {
+                open.event(EventKind::Vertical(attributes), attributes.origin);
+            }
+        }
+    }
+
+    /// A straight move between two points that differ [mm].
+    pub(super) fn line(
+        &mut self,
+        from: DVec2,
+        to: DVec2,
+        attributes: Attributes,
+        report: &mut Report,
+    ) {
+        match std::mem::replace(&mut self.state, State::Off) {
+            State::Off => self.free_curve(from, Shape::Line { to }, attributes, report),
+            State::Waiting(switched) => {
+                let lead_in = Lead { point: from, attributes };
+                self.state = State::On(Open::new(switched, to, Some(lead_in)));
+            }
+            State::On(mut open) => {
+                open.builder.segment(Shape::Line { to }, attributes);
+                open.last_line = line_of(attributes.origin);
+                self.state = State::On(open);
+            }
+            State::Ending(open) => {
+                self.close(open, Some(Lead { point: to, attributes }), report);
+            }
+        }
+    }
+
+    /// An arc or a spline.
+    pub(super) fn curve(
+        &mut self,
+        from: DVec2,
+        shape: Shape,
+        attributes: Attributes,
+        report: &mut Report,
+    ) {
+        let origin = attributes.origin;
+        match std::mem::replace(&mut self.state, State::Off) {
+            State::Off => self.free_curve(from, shape, attributes, report),
+            State::Waiting(switched) => {
+                report.push(
+                    Diagnostic::error(
+                        "curved-lead-in",
+                        "compensation is switched on before an arc or a spline",
+                    )
+                    .with_origin(origin)
+                    .with_point(from)
+                    .with_hint("lead in with a straight move (G00 or G01) to the curve's start"),
+                );
+                let mut open = Open::new(switched, from, None);
+                open.builder.segment(shape, attributes);
+                open.last_line = line_of(origin);
+                self.state = State::On(open);
+            }
+            State::On(mut open) => {
+                open.builder.segment(shape, attributes);
+                open.last_line = line_of(origin);
+                self.state = State::On(open);
+            }
+            State::Ending(open) => {
+                report.push(
+                    Diagnostic::error(
+                        "curved-lead-out",
+                        "compensation is switched off before an arc or a spline",
+                    )
+                    .with_origin(origin)
+                    .with_point(from)
+                    .with_hint("lead out with a straight move (G00 or G01) first"),
+                );
+                self.close(open, None, report);
+                self.free_curve(from, shape, attributes, report);
+            }
+        }
+    }
+
+    /// G41 or G42 at `at` [mm].
+    pub(super) fn switch_on(&mut self, switched: SwitchOn, at: DVec2, report: &mut Report) {
+        match std::mem::replace(&mut self.state, State::Off) {
+            State::Off | State::Waiting(_) => self.state = State::Waiting(switched),
+            State::On(mut open) => {
+                let before = open.switched;
+                if before.side == switched.side && before.radius == switched.radius {
+                    self.state = State::On(open);
+                    return;
+                }
+                let (code, what) = if before.side == switched.side {
+                    ("radius-changed", "the radius changes while compensation is on")
+                } else {
+                    ("side-changed", "the side changes while compensation is on")
+                };
+                report.push(
+                    Diagnostic::warning(code, what)
+                        .with_origin(switched.origin)
+                        .with_point(at)
+                        .with_hint(
+                            "the tool goes straight to its new place beside this point; lead out \
+                             (G40) and in again to keep it off the part",
+                        ),
+                );
+                if open.builder.is_empty() {
+                    open.switched = switched;
+                    self.state = State::On(open);
+                } else {
+                    self.close(open, None, report);
+                    self.state = State::On(Open::new(switched, at, None));
+                }
+            }
+            State::Ending(open) => {
+                report.push(
+                    Diagnostic::warning(
+                        "no-lead-out",
+                        "compensation is switched off and on again without a move between",
+                    )
+                    .with_origin(switched.origin)
+                    .with_point(at)
+                    .with_hint("lead out with a straight move before G41 or G42"),
+                );
+                self.close(open, None, report);
+                self.state = State::Waiting(switched);
+            }
+        }
+    }
+
+    /// G40.
+    pub(super) fn switch_off(&mut self, origin: Origin) {
+        self.state = match std::mem::replace(&mut self.state, State::Off) {
+            State::Off | State::Waiting(_) => State::Off,
+            State::On(mut open) | State::Ending(mut open) => {
+                open.last_line = line_of(origin);
+                State::Ending(open)
+            }
+        };
+    }
+
+    /// The end of the program, at `origin`: an open contour ends here.
+    pub(super) fn end(&mut self, origin: Option<Origin>, report: &mut Report) {
+        match std::mem::replace(&mut self.state, State::Off) {
+            State::Off | State::Waiting(_) => {}
+            State::Ending(open) => self.close(open, None, report),
+            State::On(open) => {
+                let mut diagnostic =
+                    Diagnostic::warning("compensation-left-on", "the program ends without G40")
+                        .with_hint("lead out with G40 and a straight move");
+                diagnostic.origin = origin;
+                report.push(diagnostic);
+                self.close(open, None, report);
+            }
+        }
+    }
+
+    pub(super) fn into_items(self) -> Vec<Item> {
+        self.items
+    }
+
+    /// Makes the contour, or free moves where there is nothing to compensate.
+    fn close(&mut self, mut open: Open, lead_out: Option<Lead>, report: &mut Report) {
+        let mut last_line = open.last_line;
+        if let Some(lead) = lead_out {
+            open.builder.lead_out(lead);
+            last_line = line_of(lead.attributes.origin);
+        }
+        let empty = open.builder.is_empty();
+        if !empty {
+            let built = open.builder.build(false);
+            report.extend(built.diagnostics);
+            if let Some(contour) = built.contour {
+                self.items.push(Item::Contour(ProgrammedContour {
+                    contour,
+                    side: open.switched.side,
+                    radius: open.switched.radius,
+                    blocks: [line_of(open.switched.origin), last_line],
+                }));
+                return;
+            }
+        }
+        report.push(
+            Diagnostic::warning(
+                "empty-compensation",
+                "there is nothing to compensate between switching on and off",
+            )
+            .with_origin(open.switched.origin)
+            .with_hint("its moves are left as programmed"),
+        );
+        let at = open.start;
+        if let Some(lead) = open.lead_in {
+            self.free_line(lead.point, at, &lead.attributes);
+        }
+        for (kind, origin) in open.events {
+            match kind {
+                EventKind::Words(words) => self.items.push(Item::Words { words, origin }),
+                EventKind::Vertical(attributes) => self.free(MoveCurve::Vertical(at), &attributes),
+            }
+        }
+        if let Some(lead) = lead_out {
+            self.free_line(at, lead.point, &lead.attributes);
+        }
+    }
+
+    fn free_line(&mut self, from: DVec2, to: DVec2, attributes: &Attributes) {
+        if let Ok(line) = Line::new(from, to) {
+            self.free(MoveCurve::Line(line), attributes);
+        }
+    }
+
+    /// The moves of one free curve, made as a contour of its own.
+    fn free_curve(
+        &mut self,
+        from: DVec2,
+        shape: Shape,
+        attributes: Attributes,
+        report: &mut Report,
+    ) {
+        let mut builder = ContourBuilder::new(from);
+        builder.segment(shape, attributes);
+        let built = builder.build(false);
+        // Why there is no segment is said by the diagnostic before.
+        report.extend(built.diagnostics.into_iter().filter(|found| found.code != "empty-contour"));
+        let Some(contour) = built.contour else { return };
+        for segment in contour.segments() {
+            match &segment.curve {
+                Curve::Line(line) => self.free(MoveCurve::Line(*line), &attributes),
+                Curve::Arc(arc) => self.free(MoveCurve::Arc(*arc), &attributes),
+                Curve::Spline(spline) => {
+                    for cubic in spline.pieces() {
+                        self.free(MoveCurve::Cubic(*cubic), &attributes);
+                    }
+                }
+            }
+        }
+    }
+
+    fn free(&mut self, curve: MoveCurve, attributes: &Attributes) {
+        self.items.push(Item::Free(Move {
+            curve,
+            role: Role::Free,
+            rapid: attributes.rapid,
+            feed: attributes.feed,
+            z: attributes.z,
+            origin: attributes.origin,
+        }));
+    }
+}
+
+/// The line of a block.
+fn line_of(origin: Origin) -> u32 {
+    match origin {
+        Origin::Block { line, .. } => line,
+        Origin::Segment(index) => index,
+    }
+}

@@ -1,0 +1,403 @@
+//! From blocks to moves and contours: the modes of a control, block by block.
+//!
+//! Within a block the order is that of RS274/NGC: units and other modes, feed, words that move
+//! nothing, compensation, the move, stops; whatever has no meaning by then is reported.
+
+use super::auxiliary::Auxiliary;
+use super::block::{Block, Word};
+use super::course::{Course, Item};
+use super::g_words::{Compensation, GWord, Motion, g_word};
+use super::modal::Modal;
+use super::number::{push_word, whole};
+use super::reader::{Program, after_end};
+use super::report::Report;
+use super::type_points::{PendingSpline, SplineWord, spline_word};
+use super::words::{Words, tenths};
+use crate::diagnostic::{Diagnostic, Origin};
+
+/// Letters that belong to the geometry of a block.
+const GEOMETRY: &str = "XYZABCUVWIJKRPQLDHE";
+
+/// Seconds in a minute.
+const MINUTE: f64 = 60.0;
+
+/// What a program means: its steps in order, and what was found on the way.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Interpretation {
+    /// The steps of the program.
+    pub items: Vec<Item>,
+    /// What was found when reading and interpreting it, in the order of the text.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Interprets a program.
+#[must_use]
+pub fn interpret(program: &Program) -> Interpretation {
+    let mut interpreter = Interpreter::new();
+    let mut blocks = program.blocks.iter();
+    let mut last = None;
+    for block in blocks.by_ref() {
+        last = Some(block.origin());
+        if interpreter.block(block) == Flow::End {
+            break;
+        }
+    }
+    interpreter.finish_spline();
+    interpreter.course.end(last, &mut interpreter.report);
+    if let Some(block) = blocks.next() {
+        interpreter.report.push(after_end(block.line));
+    }
+    interpreter.report.extend(program.diagnostics.iter().cloned());
+    Interpretation {
+        items: interpreter.course.into_items(),
+        diagnostics: interpreter.report.finish(),
+    }
+}
+
+/// Whether the program goes on after a block.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Flow {
+    Next,
+    End,
+}
+
+/// What the G words of a block ask for besides modes.
+#[derive(Debug, Default)]
+struct Demands<'a> {
+    /// A motion word was there.
+    motion: Option<Motion>,
+    /// A word of the G05 family by ten times its number, and where it is.
+    family: Option<(u32, u32)>,
+    dwell: Option<&'a Word>,
+    compensation: Option<(Compensation, &'a Word)>,
+    /// The block cannot be turned into moves.
+    no_move: bool,
+    groups: u8,
+}
+
+/// The state of a control while it runs through a program.
+pub(super) struct Interpreter {
+    pub(super) modal: Modal,
+    pub(super) course: Course,
+    pub(super) report: Report,
+    pub(super) spline: Option<PendingSpline>,
+}
+
+impl Interpreter {
+    fn new() -> Self {
+        let (modal, course) = (Modal::new(), Course::new());
+        Self { modal, course, report: Report::default(), spline: None }
+    }
+
+    fn block(&mut self, block: &Block) -> Flow {
+        let mut words = Words::new(block);
+        if block.skippable {
+            self.report.push(
+                Diagnostic::info("block-delete", "the block can be skipped by a switch (/)")
+                    .with_origin(block.origin())
+                    .with_hint("it is read as if the switch were off"),
+            );
+        }
+        let mut auxiliary = Auxiliary::new(block);
+        let mut demands = self.g_words(block, &mut words, &mut auxiliary);
+        if let Some((tenths, column)) = demands.family {
+            self.spline_family(block, tenths, column, &mut words, &mut demands);
+        }
+        if self.ends_spline(&demands, &words) {
+            self.finish_spline();
+        }
+        self.feed(block, &mut words);
+        self.auxiliary_words(block, &mut words, &mut auxiliary);
+        if let Some(dwell) = demands.dwell {
+            self.dwell(block, dwell, &mut words, &mut auxiliary);
+        }
+        if demands.no_move {
+            words.take_all(GEOMETRY);
+        }
+        if self.spline.is_some() && auxiliary.has_words() {
+            self.report.push(
+                Diagnostic::warning("words-in-spline", "words between type points act before them")
+                    .with_origin(block.origin())
+                    .with_hint("put them before or after the spline"),
+            );
+        }
+        let end = auxiliary.end;
+        let (before, after) = auxiliary.finish();
+        if !before.is_empty() {
+            self.course.words(before, block.origin());
+        }
+        self.compensation(block, demands.compensation, &mut words);
+        if let Some(motion) = self.modal.motion
+            && !demands.no_move
+        {
+            self.motion(block, motion, demands.motion.is_some(), &mut words);
+        } else if let Some(axis) = words.unused().map(|(_, word)| word).find(|w| is_axis(w)) {
+            self.error(
+                "no-motion-mode",
+                "no word has said yet how the axes move".into(),
+                block.origin_at(axis.column),
+                "put G00 or G01 into the block",
+            );
+            words.take_all(GEOMETRY);
+        }
+        self.not_understood(block, &words);
+        if end {
+            self.finish_spline();
+            self.course.end(Some(block.origin()), &mut self.report);
+        }
+        if !after.is_empty() {
+            self.course.words(after, block.origin());
+        }
+        if end { Flow::End } else { Flow::Next }
+    }
+
+    pub(super) fn error(
+        &mut self,
+        code: &'static str,
+        message: String,
+        origin: Origin,
+        hint: &str,
+    ) {
+        self.report.push(Diagnostic::error(code, message).with_origin(origin).with_hint(hint));
+    }
+
+    /// Sets the modes, and collects what else the G words ask for.
+    fn g_words<'a>(
+        &mut self,
+        block: &'a Block,
+        words: &mut Words<'a>,
+        auxiliary: &mut Auxiliary,
+    ) -> Demands<'a> {
+        let mut demands = Demands::default();
+        for (index, word) in block.words.iter().enumerate().filter(|(_, w)| w.letter == 'G') {
+            let Some((number, meaning)) = tenths(word).and_then(|n| Some((n, g_word(n)?))) else {
+                continue;
+            };
+            words.use_up(index);
+            if let Some(group) = meaning.group() {
+                if demands.groups >> group & 1 == 1 {
+                    self.error(
+                        "conflicting-words",
+                        format!("G{} excludes a G word before it in the block", word.value),
+                        block.origin_at(word.column),
+                        "the later one counts; put them into blocks of their own",
+                    );
+                }
+                demands.groups |= 1 << group;
+            }
+            match meaning {
+                GWord::Motion(motion) => {
+                    demands.motion = Some(motion);
+                    demands.family = None;
+                    self.modal.motion = Some(motion);
+                }
+                GWord::SplineFamily => demands.family = Some((number, word.column)),
+                GWord::EndOfCycle => self.modal.motion = None,
+                GWord::Dwell => demands.dwell = Some(word),
+                GWord::Plane(other) => {
+                    self.modal.other_plane = other;
+                    if let Some(plane) = other {
+                        self.not_supported(block, word.column, &format!("the plane {plane}"));
+                    }
+                }
+                GWord::Inches(inches) => self.modal.inches = inches,
+                GWord::Relative(relative) => self.modal.relative = relative,
+                GWord::AbsoluteCenter(absolute) => self.modal.absolute_center = absolute,
+                GWord::FeedMode(other) => {
+                    self.modal.feed_per_minute = other.is_none();
+                    if let Some(mode) = other {
+                        self.modal.feed = None;
+                        self.not_supported(block, word.column, mode);
+                    }
+                }
+                GWord::Compensation(compensation) => {
+                    demands.compensation = Some((compensation, word));
+                }
+                GWord::Harmless => {}
+                GWord::PassedOn => {
+                    auxiliary.word('G', word.value);
+                    self.changed_while_on(block, word, "the coordinate system");
+                }
+                GWord::LeftOut(what, letters) => {
+                    words.take_all(letters);
+                    self.report.push(
+                        Diagnostic::warning("left-out", format!("{what} is left out"))
+                            .with_origin(block.origin_at(word.column))
+                            .with_hint("set it on the machine"),
+                    );
+                }
+                GWord::Noted(what, letters) => {
+                    words.take_all(letters);
+                    self.noted(block, word.column, what);
+                }
+                GWord::NotSupported(what) => {
+                    self.not_supported(block, word.column, what);
+                    demands.no_move = true;
+                }
+            }
+        }
+        demands
+    }
+
+    /// G05 and its namesakes, told apart by the words beside them.
+    fn spline_family(
+        &mut self,
+        block: &Block,
+        tenths: u32,
+        column: u32,
+        words: &mut Words,
+        demands: &mut Demands,
+    ) {
+        let motion = match spline_word(tenths, words) {
+            SplineWord::TypePoint => Motion::TypePoints,
+            SplineWord::Setting(what) => {
+                words.take_all("PQR");
+                self.noted(block, column, what);
+                return;
+            }
+            SplineWord::Smoothing(what) => {
+                words.take_all("PQRXYZ");
+                self.report.push(
+                    Diagnostic::warning("left-out", format!("{what} is left out"))
+                        .with_origin(block.origin_at(column))
+                        .with_hint("the path is the one programmed, not smoothed"),
+                );
+                return;
+            }
+            SplineWord::NotSupported(what) => Motion::NotSupported(what),
+        };
+        demands.motion = Some(motion);
+        self.modal.motion = Some(motion);
+    }
+
+    /// Whether the block cannot continue the spline before it.
+    fn ends_spline(&self, demands: &Demands, words: &Words) -> bool {
+        demands.no_move
+            || demands.compensation.is_some()
+            || words.has_any("D")
+            || self.modal.motion != Some(Motion::TypePoints)
+    }
+
+    pub(super) fn finish_spline(&mut self) {
+        if let Some((start, shape, attributes)) = self.spline.take().and_then(PendingSpline::finish)
+        {
+            self.course.curve(start, shape, attributes, &mut self.report);
+        }
+    }
+
+    fn feed(&mut self, block: &Block, words: &mut Words) {
+        let Some(word) = words.take('F') else { return };
+        if !self.modal.feed_per_minute {
+            return;
+        }
+        if word.value > 0.0 {
+            self.modal.feed = Some(word.value * self.modal.unit() / MINUTE);
+        } else {
+            self.error(
+                "bad-feed",
+                format!("the feed {} is not positive", word.value),
+                block.origin_at(word.column),
+                "the feed before it stays",
+            );
+        }
+    }
+
+    /// M, S, T and O words.
+    fn auxiliary_words(&mut self, block: &Block, words: &mut Words, auxiliary: &mut Auxiliary) {
+        for (index, word) in block.words.iter().enumerate() {
+            match word.letter {
+                'S' => auxiliary.word('S', word.value),
+                'O' if index == 0 => auxiliary.program_number(word.value),
+                'T' => match whole(word.value) {
+                    Some(number) => {
+                        self.modal.select_tool(number);
+                        auxiliary.word('T', word.value);
+                    }
+                    None => continue,
+                },
+                'M' => match tenths(word) {
+                    Some(970 | 980 | 990) => {
+                        self.not_supported(block, word.column, "a subprogram");
+                        words.take_all("PLQ");
+                    }
+                    Some(number) => {
+                        if number == 60 {
+                            self.modal.change_tool();
+                            self.changed_while_on(block, word, "the tool");
+                        }
+                        auxiliary.m_word(number, word.value);
+                    }
+                    None => continue,
+                },
+                _ => continue,
+            }
+            words.use_up(index);
+        }
+    }
+
+    fn dwell(&mut self, block: &Block, word: &Word, words: &mut Words, auxiliary: &mut Auxiliary) {
+        let time = ['P', 'X', 'U'].into_iter().find_map(|letter| words.take(letter));
+        let Some(time) = time.filter(|time| time.value >= 0.0) else {
+            let at = block.origin_at(word.column);
+            self.error("bad-dwell", "the dwell (G04) has no time".into(), at, "add P in seconds");
+            return;
+        };
+        // No one waits that long on purpose; FANUC counts P in milliseconds.
+        if time.letter == 'P' && time.value >= 100.0 {
+            let message = format!("the dwell of {} is passed on in seconds", time.value);
+            self.report.push(
+                Diagnostic::warning("long-dwell", message)
+                    .with_origin(block.origin_at(time.column))
+                    .with_hint("where P counts milliseconds, divide it by 1000"),
+            );
+        }
+        let mut text = String::from("G4 ");
+        push_word(&mut text, 'P', time.value);
+        auxiliary.text(&text);
+    }
+
+    fn changed_while_on(&mut self, block: &Block, word: &Word, what: &str) {
+        if self.course.side().is_some() {
+            let message = format!("{what} changes while compensation is on");
+            self.report.push(
+                Diagnostic::warning("changed-while-on", message)
+                    .with_origin(block.origin_at(word.column))
+                    .with_hint("switch compensation off with G40 before"),
+            );
+        }
+    }
+
+    fn noted(&mut self, block: &Block, column: u32, what: &str) {
+        let message = format!("{what} is left out; it does not change the path");
+        self.report.push(Diagnostic::info("noted", message).with_origin(block.origin_at(column)));
+    }
+
+    pub(super) fn not_supported(&mut self, block: &Block, column: u32, what: &str) {
+        self.error(
+            "not-supported",
+            format!("{what} is not supported"),
+            block.origin_at(column),
+            "what it would do is missing from the path",
+        );
+    }
+
+    fn not_understood(&mut self, block: &Block, words: &Words) {
+        for (_, word) in words.unused() {
+            let what = if matches!(word.letter, 'A' | 'B' | 'C' | 'U' | 'V' | 'W') {
+                "moves an axis that is not supported"
+            } else {
+                "is not understood here"
+            };
+            self.error(
+                "word-not-understood",
+                format!("the word {}{} {what}", word.letter, word.value),
+                block.origin_at(word.column),
+                "it has no effect",
+            );
+        }
+    }
+}
+
+fn is_axis(word: &Word) -> bool {
+    matches!(word.letter, 'X' | 'Y' | 'Z')
+}

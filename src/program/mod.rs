@@ -1,0 +1,25 @@
+//! G-code: reading programs, interpreting them to contours, writing tool paths as programs.
+//!
+//! Reading never fails as a whole: [`Program::parse`] and [`interpret`] return what they
+//! understood and a diagnostic for everything else. Inches, mm/min and line numbers exist on this
+//! floor only. It does not know how contours are compensated.
+
+mod auxiliary;
+mod block;
+mod course;
+mod g_words;
+mod interpret;
+mod lexer;
+mod modal;
+mod moves;
+mod number;
+mod reader;
+mod report;
+mod switch;
+mod type_points;
+mod words;
+
+pub use block::{Block, Word};
+pub use course::{Item, ProgrammedContour, RadiusSource};
+pub use interpret::{Interpretation, interpret};
+pub use reader::{Dialect, Program};

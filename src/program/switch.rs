@@ -1,0 +1,89 @@
+//! The words that switch compensation on and off, and the D word: whose radius it is.
+
+use super::block::{Block, Word};
+use super::course::{RadiusSource, SwitchOn};
+use super::g_words::Compensation;
+use super::interpret::Interpreter;
+use super::number::whole;
+use super::words::Words;
+use crate::diagnostic::{Diagnostic, Origin};
+
+impl Interpreter {
+    /// G40, G41, G42 and the D word.
+    pub(super) fn compensation(
+        &mut self,
+        block: &Block,
+        demand: Option<(Compensation, &Word)>,
+        words: &mut Words,
+    ) {
+        let number = words.take('D');
+        let origin = block.origin_at(demand.map(|(_, w)| w).or(number).map_or(1, |w| w.column));
+        if let (Some(plane), Some((Compensation::Tool(_) | Compensation::Diameter(_), _))) =
+            (self.modal.other_plane, demand)
+        {
+            let message = format!("compensation is supported in the plane G17, not in {plane}");
+            self.error("not-supported", message, origin, "it stays off");
+            return;
+        }
+        let at = self.modal.position.truncate();
+        let switched = match demand {
+            Some((Compensation::Off, _)) => {
+                self.course.switch_off(origin);
+                return;
+            }
+            Some((Compensation::Diameter(side), _)) => {
+                let Some(diameter) = number else {
+                    let message = "G41.1 and G42.1 need the diameter as a D word".into();
+                    self.error("missing-diameter", message, origin, "compensation stays off");
+                    return;
+                };
+                let radius = RadiusSource::Given(0.5 * diameter.value * self.modal.unit());
+                Some(SwitchOn { side, radius, origin })
+            }
+            Some((Compensation::Tool(side), _)) => {
+                self.read_radius_number(block, number);
+                Some(SwitchOn { side, radius: self.radius_source(origin), origin })
+            }
+            None if number.is_some() => {
+                self.read_radius_number(block, number);
+                self.course.side().map(|side| {
+                    let radius = self.radius_source(origin);
+                    SwitchOn { side, radius, origin }
+                })
+            }
+            None => None,
+        };
+        if let Some(switched) = switched {
+            self.course.switch_on(switched, at, &mut self.report);
+        }
+    }
+
+    fn read_radius_number(&mut self, block: &Block, word: Option<&Word>) {
+        let Some(word) = word else { return };
+        match whole(word.value) {
+            Some(number) => self.modal.radius_number = Some(number),
+            None => self.error(
+                "bad-tool-number",
+                format!("D{} is not the number of a tool", word.value),
+                block.origin_at(word.column),
+                "with a diameter use G41.1 or G42.1; the active tool is taken",
+            ),
+        }
+    }
+
+    /// The radius that G41 and G42 ask for.
+    fn radius_source(&mut self, origin: Origin) -> RadiusSource {
+        match self.modal.radius_number {
+            Some(0) => {
+                self.report.push(
+                    Diagnostic::warning("no-radius", "D0 means no radius: nothing is compensated")
+                        .with_origin(origin)
+                        .with_hint("give the number of the tool as a D word"),
+                );
+                RadiusSource::Given(0.0)
+            }
+            Some(number) => RadiusSource::Tool(number),
+            None => RadiusSource::Tool(self.modal.active_tool()),
+        }
+    }
+}
