@@ -1,0 +1,454 @@
+//! What programs mean: blocks and words to moves and contours, and what is reported of the rest.
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use g41::contour::{EventKind, Move, MoveCurve, Side};
+use g41::diagnostic::{Diagnostic, Origin, Severity};
+use g41::geometry::Curve;
+use g41::program::{
+    Dialect, Interpretation, Item, Program, ProgrammedContour, RadiusSource, interpret,
+};
+use glam::DVec2;
+
+fn read(text: &str) -> Interpretation {
+    interpret(&Program::parse(text, Dialect::Auto))
+}
+
+/// Reads a program in which nothing is to be found fault with.
+fn read_clean(text: &str) -> Interpretation {
+    let read = read(text);
+    assert!(read.diagnostics.is_empty(), "{text}\n{:?}", read.diagnostics);
+    read
+}
+
+fn moves(read: &Interpretation) -> Vec<Move> {
+    let free = |item: &Item| if let Item::Free(found) = item { Some(*found) } else { None };
+    read.items.iter().filter_map(free).collect()
+}
+
+fn contours(read: &Interpretation) -> Vec<&ProgrammedContour> {
+    fn contour(item: &Item) -> Option<&ProgrammedContour> {
+        if let Item::Contour(found) = item { Some(found) } else { None }
+    }
+    read.items.iter().filter_map(contour).collect()
+}
+
+fn words(read: &Interpretation) -> Vec<&str> {
+    fn words(item: &Item) -> Option<&str> {
+        if let Item::Words { words, .. } = item { Some(words) } else { None }
+    }
+    read.items.iter().filter_map(words).collect()
+}
+
+fn only_contour(read: &Interpretation) -> &ProgrammedContour {
+    let contours = contours(read);
+    assert_eq!(contours.len(), 1, "{:?}", read.items);
+    contours[0]
+}
+
+/// Code, severity, line and column of each diagnostic.
+fn found(read: &Interpretation) -> Vec<(&str, Severity, u32, Option<u32>)> {
+    let place = |diagnostic: &Diagnostic| match diagnostic.origin {
+        Some(Origin::Block { line, column, .. }) => (line, column),
+        _ => (0, None),
+    };
+    let entry = |d| (place(d), d);
+    let entries = read.diagnostics.iter().map(entry);
+    entries.map(|((line, column), d)| (d.code, d.severity, line, column)).collect()
+}
+
+fn near(a: DVec2, b: [f64; 2]) -> bool {
+    a.distance(DVec2::from(b)) < 1e-9
+}
+
+const ERROR: Severity = Severity::Error;
+const WARNING: Severity = Severity::Warning;
+const INFO: Severity = Severity::Info;
+
+#[test]
+fn modes_last_until_another_word_of_their_group() {
+    let read = read_clean("G90 G1 X10 F600\nY5\nG0 X0\nG91\nX-2\nG1 Y1\n");
+    let moves = moves(&read);
+    let ends: Vec<_> = moves.iter().map(|m| m.curve.end().to_array()).collect();
+    assert_eq!(ends, [[10.0, 0.0], [10.0, 5.0], [0.0, 5.0], [-2.0, 5.0], [-2.0, 6.0]], "ends");
+    let feeds: Vec<_> = moves.iter().map(|m| m.feed).collect();
+    assert_eq!(feeds, [Some(10.0), Some(10.0), None, None, Some(10.0)], "feeds in mm/s");
+    let rapid: Vec<_> = moves.iter().map(|m| m.rapid).collect();
+    assert_eq!(rapid, [false, false, true, true, false], "rapid moves");
+}
+
+#[test]
+fn inches_are_read_as_millimetres() {
+    let read = read_clean("G20 G1 X1 Y-0.5 F60\nG2 X2 I.5\nG21 G1 X2 Y0\n");
+    let moves = moves(&read);
+    assert!(near(moves[0].curve.end(), [25.4, -12.7]), "{moves:?}");
+    assert_eq!(moves[0].feed, Some(25.4), "60 inch/min are 25.4 mm/s");
+    let MoveCurve::Arc(arc) = moves[1].curve else { panic!("{moves:?}") };
+    assert!(near(arc.center(), [38.1, -12.7]), "{arc:?}");
+    assert!(near(moves[2].curve.end(), [2.0, 0.0]), "{moves:?}");
+}
+
+#[test]
+fn an_arc_has_its_centre_relative_to_its_start_or_by_g90_1_absolute() {
+    for text in [
+        "G0 X10 Y20\nG3 X5 Y25 I-5 J0 F100",
+        "G90.1\nG0 X10 Y20\nG3 X5 Y25 I5 J20 F100",
+        "G0 X10 Y20\nG3 X5 Y25 R5 F100",
+        "G0 X10 Y20\nG91 G3 X-5 Y5 I-5 F100",
+    ] {
+        let read = read_clean(text);
+        let MoveCurve::Arc(arc) = moves(&read)[1].curve else { panic!("{text}") };
+        assert!(near(arc.center(), [5.0, 20.0]), "{text}: {arc:?}");
+        assert!((arc.sweep() - std::f64::consts::FRAC_PI_2).abs() < 1e-9, "{text}: {arc:?}");
+    }
+}
+
+#[test]
+fn a_negative_radius_is_the_larger_arc() {
+    let read = read_clean("G0 X0 Y10\nG2 X10 Y0 R-10 F100");
+    let MoveCurve::Arc(arc) = moves(&read)[1].curve else { panic!("{read:?}") };
+    // The circle through (0, 10) and (10, 0) whose larger clockwise arc turns about (10, 10).
+    assert!(near(arc.center(), [10.0, 10.0]), "{arc:?}");
+    assert!((arc.sweep() + 1.5 * std::f64::consts::PI).abs() < 1e-9, "{arc:?}");
+}
+
+#[test]
+fn an_arc_that_ends_where_it_starts_is_a_full_circle() {
+    for text in ["G0 X10 Y0\nG2 I-10 F100", "G0 X10 Y0\nG2 X10 Y0 I-10 J0 F100"] {
+        let read = read_clean(text);
+        let MoveCurve::Arc(arc) = moves(&read)[1].curve else { panic!("{text}") };
+        assert!(arc.is_full_circle() && arc.is_clockwise(), "{text}: {arc:?}");
+    }
+}
+
+#[test]
+fn an_arc_with_z_is_a_helix() {
+    let read = read_clean("G0 X10 Y0 Z1\nG3 X10 Y0 Z-2 I-10 F100");
+    let helix = moves(&read)[1];
+    assert_eq!(helix.z, [1.0, -2.0], "{helix:?}");
+}
+
+#[test]
+fn a_move_along_z_alone_is_vertical() {
+    let read = read_clean("G0 X3 Y4 Z5\nG1 Z-1 F60");
+    let plunge = moves(&read)[1];
+    assert_eq!(plunge.curve, MoveCurve::Vertical(DVec2::new(3.0, 4.0)), "where");
+    assert_eq!((plunge.z, plunge.feed), ([5.0, -1.0], Some(1.0)), "how");
+}
+
+#[test]
+fn words_that_move_nothing_stay_in_their_place() {
+    let read = read_clean(
+        "%\nO1234 (LID)\nT2 M6\nS12000 M3\nG4 P1.5\nG54\nG0 X1 M8 (first)\nX2 M0\n; end\nM30\n%\n",
+    );
+    let seen: Vec<String> = read
+        .items
+        .iter()
+        .map(|item| match item {
+            Item::Free(found) => format!("to {}", found.curve.end().x),
+            Item::Words { words, .. } => words.clone(),
+            Item::Contour(_) => "contour".into(),
+        })
+        .collect();
+    let expected = [
+        "(O1234) (LID)",
+        "T2 M6",
+        "S12000 M3",
+        "G4 P1.5",
+        "G54",
+        "M8 (first)",
+        "to 1",
+        "to 2",
+        "M0",
+        "; end",
+        "M30",
+    ];
+    assert_eq!(seen, expected, "in the order of RS274/NGC");
+}
+
+#[test]
+fn coordinates_that_are_assumed_are_passed_on_where_they_are_first_stated() {
+    assert_eq!(words(&read_clean("G0 X0 Y0\nG1 X5 F100")), ["G0 X0 Y0"], "nothing moves");
+    assert_eq!(words(&read_clean("G0 X0 Y0 Z5")), ["G0 X0 Y0"], "after the move along z");
+    assert_eq!(words(&read_clean("G0 Z5\nX3 Y0")), Vec::<&str>::new(), "the move says it");
+}
+
+#[test]
+fn a_contour_lies_between_its_lead_in_and_lead_out() {
+    let read = read_clean(
+        "N10 G0 X-20 Y-10\nN20 G41 D3 G1 X0 Y0 F600\nN30 X50\nN40 G3 X60 Y10 J10 I0\nN50 G1 Y40\n\
+         N60 G40 X80 Y50\nN70 G0 X0\n",
+    );
+    let programmed = only_contour(&read);
+    assert_eq!((programmed.side, programmed.radius), (Side::Left, RadiusSource::Tool(3)), "whose");
+    assert_eq!(programmed.blocks, [2, 6], "lines");
+    let contour = &programmed.contour;
+    assert!(near(contour.lead_in().expect("it has one").point, [-20.0, -10.0]), "lead-in");
+    assert!(near(contour.lead_out().expect("it has one").point, [80.0, 50.0]), "lead-out");
+    assert_eq!(contour.segments().len(), 3, "segments");
+    assert!(near(contour.start(), [0.0, 0.0]) && near(contour.end(), [60.0, 40.0]), "ends");
+    let origin = Origin::Block { line: 4, number: Some(40), column: None };
+    assert_eq!(contour.segments()[1].attributes.origin, origin, "where the arc comes from");
+    assert_eq!(moves(&read).len(), 2, "a move before and one after");
+}
+
+#[test]
+fn compensation_waits_for_its_first_straight_move() {
+    let read = read_clean("G0 X-9 Y0\nG42 D1\nG0 Z1\nG1 Z-2 F60\nX0 Y0\nX9\nG40\nG0 Z5\nX0 Y9\n");
+    let contour = &only_contour(&read).contour;
+    assert_eq!(moves(&read).iter().filter(|m| m.curve.length() == 0.0).count(), 2, "free z moves");
+    assert_eq!(contour.events().len(), 1, "the retract is in the contour");
+    assert!(near(contour.lead_out().expect("it has one").point, [0.0, 9.0]), "lead-out");
+}
+
+#[test]
+fn the_radius_is_that_of_the_d_word_or_the_active_tool_or_given() {
+    let radius = |switch: &str| {
+        let text = format!("G0 X0 Y-9\n{switch}\nG1 X0 Y0 F100\nX9\nG40 Y-9\n");
+        let read = read(&text);
+        only_contour(&read).radius
+    };
+    assert_eq!(radius("T4 M6\nG41 D7"), RadiusSource::Tool(7), "D");
+    assert_eq!(radius("T4 M6\nT5\nG41"), RadiusSource::Tool(4), "the tool in the spindle");
+    assert_eq!(radius("T4\nG41"), RadiusSource::Tool(4), "a program without M6");
+    assert_eq!(radius("D6\nG41"), RadiusSource::Tool(6), "D in a block before");
+    assert_eq!(radius("D6 T2 M6\nT1\nG41"), RadiusSource::Tool(6), "D after the tool change");
+    assert_eq!(radius("G41.1 D5"), RadiusSource::Given(2.5), "a diameter");
+    assert_eq!(radius("G20 G42.1 D.25"), RadiusSource::Given(3.175), "a diameter in inches");
+    assert_eq!(radius("G41"), RadiusSource::Tool(0), "nothing");
+}
+
+#[test]
+fn words_and_moves_along_z_between_segments_are_events_of_the_contour() {
+    let read = read_clean("G0 X0 Y-9\nG41 D1 G1 Y0 F100\nX9\nM8 (coolant)\nG1 Z-2\nX20\nG40 Y-9\n");
+    let events = only_contour(&read).contour.events();
+    assert_eq!(events.len(), 2, "{events:?}");
+    assert_eq!(events[0].kind, EventKind::Words("M8 (coolant)".into()), "words");
+    assert!(matches!(events[1].kind, EventKind::Vertical(a) if a.z == [0.0, -2.0]), "{events:?}");
+    assert!(events.iter().all(|event| event.before == 1), "{events:?}");
+}
+
+#[test]
+fn type_points_are_a_spline_from_the_current_point_on() {
+    for text in [
+        "G1 X10 Y0 F100\nG05 X20 Y5\nX30 Y0\nX40 Y-5\nG01 X50\n",
+        "G1 X10 Y0 F100\nG05 X20 Y5\nG05 X30 Y0\nG05 X40 Y-5\nG01 X50\n",
+        "G1 X10 Y0 F100\nG05\nX20 Y5\n(a comment)\nX30 Y0\nX40 Y-5\nG01 X50\n",
+        "G1 X10 Y0 F100\nG05 X10 Y0\nX20 Y5\nX30 Y0\nX40 Y-5\nG01 X50\n",
+        "G1 X10 Y0 F100\nG91 G05 X10 Y5\nX10 Y-5\nX10 Y-5\nG01 X10\n",
+    ] {
+        let text = format!("G41 D1 G1 X-10 Y0 F100\n{text}G40 Y30\n");
+        let read = read_clean(&text);
+        let segments = only_contour(&read).contour.segments();
+        let Curve::Spline(spline) = &segments[1].curve else { panic!("{text}: {segments:?}") };
+        let points: Vec<_> = spline.points().iter().map(DVec2::to_array).collect();
+        assert_eq!(points, [[10.0, 0.0], [20.0, 5.0], [30.0, 0.0], [40.0, -5.0]], "{text}");
+        assert_eq!(segments.len(), 3, "{text}");
+    }
+}
+
+#[test]
+fn a_repeated_type_point_is_a_corner_between_two_splines() {
+    let read = read_clean(
+        "G41 D1 G1 X0 Y0.5 F100\nX0 Y0\nG05 X5 Y5\nX10 Y0\nX10 Y0\nX15 Y5\nX20 Y0\nG40 G1 X30\n",
+    );
+    let segments = only_contour(&read).contour.segments();
+    let splines: Vec<usize> = segments
+        .iter()
+        .filter_map(|s| if let Curve::Spline(s) = &s.curve { Some(s.points().len()) } else { None })
+        .collect();
+    assert_eq!(splines, [3, 3], "type points of each");
+}
+
+#[test]
+fn free_type_points_are_cubics() {
+    let read = read_clean("G0 X10 Y0\nG05 X20 Y5 F100\nX30 Y0\nX40 Y-5\n");
+    let moves = moves(&read);
+    assert_eq!(moves.len(), 4, "{moves:?}");
+    assert!(moves[1..].iter().all(|m| matches!(m.curve, MoveCurve::Cubic(_))), "{moves:?}");
+}
+
+#[test]
+fn a_spline_of_two_points_is_reported() {
+    let read = read("G0 X10 Y0\nG05 X20 Y5 F100\nG01 X30\n");
+    assert_eq!(found(&read), [("too-few-points", ERROR, 2, None)], "the spline");
+}
+
+#[test]
+fn the_family_of_g05_is_told_apart() {
+    for (block, code, severity, says) in [
+        ("G05 P10000", "noted", INFO, "high-speed"),
+        ("G5 X20 Y5 I1 J2 P3 Q4", "not-supported", ERROR, "cubic Bézier"),
+        ("G5 X20 Y5 P3 Q4", "not-supported", ERROR, "cubic Bézier"),
+        ("G5 X20 Y5 P3", "not-supported", ERROR, "neither"),
+        ("G5.1 X20 I1 J2", "not-supported", ERROR, "quadratic"),
+        ("G05.1 Q1", "noted", INFO, "contour control"),
+        ("G05.1 Q2 X0 Y0", "left-out", WARNING, "smooth interpolation"),
+        ("G5.2 P1 L3", "not-supported", ERROR, "NURBS"),
+        ("G5.3", "not-supported", ERROR, "NURBS"),
+        ("G06.1 X20 Y5", "not-supported", ERROR, "FANUC's spline"),
+        ("G06.2 P4 K0 X20 R1", "not-supported", ERROR, "NURBS"),
+    ] {
+        let read = read(&format!("G0 X10 Y0\n{block}\nG1 X30 F100\n"));
+        assert_eq!(found(&read).len(), 1, "{block}: {:?}", read.diagnostics);
+        let (seen, how, line, _) = found(&read)[0];
+        assert_eq!((seen, how, line), (code, severity, 2), "{block}");
+        assert!(read.diagnostics[0].message.contains(says), "{}", read.diagnostics[0]);
+        let ends: Vec<_> = moves(&read).iter().map(|m| m.curve.end().x).collect();
+        assert_eq!(ends, [10.0, 30.0], "{block}: nothing of it is misread as a move");
+    }
+}
+
+#[test]
+fn every_fault_is_reported_with_its_line_and_column() {
+    for (text, code, severity, column) in [
+        ("G1 X1 Q5 F1", "word-not-understood", ERROR, Some(7)),
+        ("G1 X1 G6 F1", "word-not-understood", ERROR, Some(7)),
+        ("G1 X1 A90 F1", "word-not-understood", ERROR, Some(7)),
+        ("G1 X1 E F1", "missing-number", ERROR, Some(7)),
+        ("G1 X1 Y1.2.3 F1", "garbled-number", ERROR, Some(7)),
+        ("G1 X1 Y--3 F1", "garbled-number", ERROR, Some(7)),
+        ("G1 X1 Y12345678901 F1", "number-too-large", ERROR, Some(7)),
+        ("G1 X1 12 F1", "number-without-letter", ERROR, Some(7)),
+        ("G1 X1 X2 F1", "repeated-word", ERROR, Some(7)),
+        ("G1 X1 €€ F1", "unexpected-character", ERROR, Some(7)),
+        ("(€) X1 €€ F1", "unexpected-character", ERROR, Some(8)),
+        ("G1 X1 F1 (open", "unclosed-comment", WARNING, Some(10)),
+        ("G1 X1 Y#3 F1", "unsupported-expression", ERROR, Some(8)),
+        ("G1 X1 Y[1+[2]] F1", "unsupported-expression", ERROR, Some(8)),
+        ("#1=5", "unsupported-expression", ERROR, Some(1)),
+        ("O100 sub", "unsupported-flow", ERROR, Some(1)),
+        ("o<name> call", "unsupported-flow", ERROR, Some(1)),
+        ("G0 G1 X1 F1", "conflicting-words", ERROR, Some(4)),
+        ("G18", "not-supported", ERROR, Some(1)),
+        ("G92 X0 Y0", "not-supported", ERROR, Some(1)),
+        ("G28 X0 Y0", "not-supported", ERROR, Some(1)),
+        ("G91 G28 Z0", "not-supported", ERROR, Some(5)),
+        ("G53 G0 Z0", "not-supported", ERROR, Some(1)),
+        ("G16", "not-supported", ERROR, Some(1)),
+        ("G93 G1 X1 F1", "not-supported", ERROR, Some(1)),
+        ("G1 X1 F-5", "bad-feed", ERROR, Some(7)),
+        ("G4", "bad-dwell", ERROR, Some(1)),
+        ("G4 P500", "long-dwell", WARNING, Some(4)),
+        ("G43 H1 Z5 G0", "left-out", WARNING, Some(1)),
+        ("G64 P0.01", "noted", INFO, Some(1)),
+        ("M98 P1000", "not-supported", ERROR, Some(1)),
+        ("T1.5", "word-not-understood", ERROR, Some(1)),
+        ("G41 D1.5", "bad-tool-number", ERROR, Some(5)),
+        ("G41 D0", "no-radius", WARNING, Some(1)),
+        ("G41.1", "missing-diameter", ERROR, Some(1)),
+        ("G2 X5 Y0 I1 R2 F1", "contradictory-words", ERROR, Some(10)),
+        ("G2 X5 Y0 F1", "arc-without-centre", ERROR, None),
+        ("G2 X5 Y0 I1 F1", "radii-disagree", ERROR, None),
+        ("G2 X5 Y0 R1 F1", "radius-too-small", ERROR, None),
+        ("G2 X1 R2 F1", "full-circle-by-radius", ERROR, None),
+        ("/G1 X2 F1", "block-delete", INFO, None),
+        ("X5", "", INFO, None),
+    ] {
+        let read = read(&format!("G0 X1 Y0\n{text}\n"));
+        let expected: &[_] = if code.is_empty() { &[] } else { &[(code, severity, 2, column)] };
+        assert_eq!(found(&read), expected, "{text}: {:?}", read.diagnostics);
+    }
+}
+
+#[test]
+fn axes_without_a_motion_word_do_not_move() {
+    let read = read("X5 Y5\n");
+    assert_eq!(found(&read), [("no-motion-mode", ERROR, 1, Some(1))], "before G00 or G01");
+    assert!(moves(&read).is_empty(), "{read:?}");
+}
+
+#[test]
+fn a_cycle_and_its_further_holes_are_reported() {
+    let read = read("G0 X1 Y1\nG81 X5 Y5 Z-3 R1 F60\nX9\nG80\nG0 X0\n");
+    let lines: Vec<_> = found(&read).iter().map(|f| (f.0, f.2)).collect();
+    assert_eq!(lines, [("not-supported", 2), ("not-supported", 3)], "{:?}", read.diagnostics);
+    assert_eq!(moves(&read).len(), 2, "the cycle makes no move");
+}
+
+#[test]
+fn faults_of_compensation_are_reported() {
+    const START: &str = "G0 X0 Y-9\n";
+    for (text, code, severity, contours_made) in [
+        ("G41 D1\nG2 X9 Y0 R9 F100\nG40 G1 X20", "curved-lead-in", ERROR, 1),
+        ("G41 D1 G5 X5 Y1\nX9 Y0 F100\nG40 G1 X20", "curved-lead-in", ERROR, 1),
+        ("G41 D1 G1 Y0 F100\nX9\nG40 G2 X20 R9", "curved-lead-out", ERROR, 1),
+        ("G41 D1 G1 Y0 F100\nX9\nM30", "compensation-left-on", WARNING, 1),
+        ("G41 D1 G1 Y0 F100\nX9\nG42 X20\nG40 Y9", "side-changed", WARNING, 2),
+        ("G41 D1 G1 Y0 F100\nX9\nG41 D2 X20\nG40 Y9", "radius-changed", WARNING, 2),
+        ("G41 D1 G1 Y0 F100\nX9\nD2 X20\nG40 Y9", "radius-changed", WARNING, 2),
+        ("G41 D1 G1 Y0 F100\nX9\nG40\nG41 X20\nX30\nG40 Y9", "no-lead-out", WARNING, 2),
+        ("G41 D1 G1 Y0 F100\nG40 Y9", "empty-compensation", WARNING, 0),
+        ("G41 D1 G1 Y0 F100\nX9\nX9\nG40 Y9", "zero-length", INFO, 1),
+        ("G41 D1 G1 Y0 F100\nX9\nT2 M6\nX20\nG40 Y9", "changed-while-on", WARNING, 1),
+        ("G41 D1 G1 Y0 F100\nX9\nG55\nX20\nG40 Y9", "changed-while-on", WARNING, 1),
+    ] {
+        let read = read(&format!("{START}{text}\n"));
+        let seen: Vec<_> = found(&read).iter().map(|f| (f.0, f.1)).collect();
+        assert_eq!(seen, [(code, severity)], "{text}: {:?}", read.diagnostics);
+        assert_eq!(contours(&read).len(), contours_made, "{text}");
+    }
+}
+
+#[test]
+fn what_changes_nothing_is_not_reported() {
+    let read = read_clean(
+        "G17 G21 G40 G49 G80 G90 G94 G61\nG0 X0 Y-9\nG41 D1\nG40\nG41 D1 G1 Y0 F100\nX9\nG41 D1\n\
+         G41 X20\nG40 Y-9\nG40\nM5\n",
+    );
+    assert_eq!(contours(&read).len(), 1, "repeating G41 goes on");
+}
+
+#[test]
+fn an_empty_compensation_leaves_its_moves_and_words_in_order() {
+    let read = read("G0 X0 Y-9\nG41 D1 G1 Y0 F100\nM8\nG40 Y9\n");
+    let ends: Vec<_> = moves(&read).iter().map(|m| m.curve.end().y).collect();
+    assert_eq!(ends, [-9.0, 0.0, 9.0], "{read:?}");
+    assert_eq!(words(&read), ["M8"], "{read:?}");
+}
+
+#[test]
+fn nothing_after_the_end_is_read() {
+    for text in ["G0 X1\nM30\nX2\nX3\n", "G0 X1\nM2\n\nG0 X2", "%\nG0 X1\n%\nG0 X2\n"] {
+        let read = read(text);
+        let codes: Vec<_> = found(&read).iter().map(|f| f.0).collect();
+        assert_eq!(codes, ["after-end"], "{text}");
+        assert_eq!(moves(&read).len(), 1, "{text}");
+    }
+}
+
+#[test]
+fn line_ends_of_every_system_are_read() {
+    for text in
+        ["G0 X1\nX2\nX3", "G0 X1\r\nX2\r\nX3\r\n", "G0 X1\rX2\rX3\r", "\u{feff}G0 X1\nX2\nX3"]
+    {
+        let read = read_clean(text);
+        let lines: Vec<_> = moves(&read).iter().map(|m| m.origin).collect();
+        let line = |line| Origin::Block { line, number: None, column: None };
+        assert_eq!(lines, [line(1), line(2), line(3)], "{text:?}");
+    }
+}
+
+#[test]
+fn spaces_and_small_letters_do_not_matter() {
+    let spread = read_clean("n 10 g 1 x 10 y -2.5 f 600");
+    let dense = read_clean("N10G1X10Y-2.5F600");
+    let moves_of = |read: &Interpretation| {
+        let found = moves(read)[0];
+        (found.curve, found.feed, found.origin)
+    };
+    assert_eq!(moves_of(&spread), moves_of(&dense), "the same move");
+}
+
+#[test]
+fn coordinates_out_of_range_do_not_move() {
+    let read = read("G1 X1 F1\nG20 X999999999\nX1\n");
+    assert_eq!(found(&read), [("out-of-range", ERROR, 2, Some(5))], "1e9 inches");
+    assert!(near(moves(&read)[1].curve.end(), [25.4, 0.0]), "{read:?}");
+}
+
+#[test]
+fn incremental_moves_from_an_unknown_place_are_reported_once() {
+    let read = read("G91 G1 X5 F100\nX5 Y5\n");
+    assert_eq!(found(&read), [("unknown-start", WARNING, 1, Some(8))], "once");
+}
