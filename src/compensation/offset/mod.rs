@@ -6,7 +6,9 @@
 
 mod arc;
 mod cusps;
+mod fit;
 mod line;
+mod proof;
 mod spline;
 
 use glam::DVec2;

@@ -1,32 +1,36 @@
 //! The offset of a spline: cubics within the tolerance of the true equidistant.
 //!
 //! Each span is cut at the cusps of its offset, where `1 − δκ` changes its sign. A piece is the
-//! cubic with the exact end points and end derivatives `O' = C' (1 − δκ)` of the equidistant; its
-//! error falls with the fourth power of its length, which tells how many pieces a stretch needs.
-//! The error is measured at sample points: where a sample stands at right angles over the spline,
-//! its distance from the equidistant is exactly the excess of its distance from the spline.
+//! plain Hermite cubic where that is proved to be within the tolerance, else the collocated one,
+//! else the stretch is halved. Next to a cusp, where no proof can hold, the halving ends when
+//! offset and piece are shorter than the tolerance. Where the tool does not fit, between two
+//! cusps, the offset runs against the curve and the error is measured at sample points instead.
 
 use std::f64::consts::PI;
 
 use glam::DVec2;
 
-use super::{Bend, cusps::cusps};
+use super::Bend;
+use super::cusps::{cusps, room};
+use super::fit::Source;
+use super::proof::is_proved;
 use crate::contour::MoveCurve;
-use crate::geometry::{Arc, Cubic, MIN_LENGTH, Spline, cross, perp};
+use crate::geometry::{Arc, Cubic, MIN_LENGTH, Spline, perp};
 
-/// Parameters of a piece at which its error is measured. The error of a Hermite cubic is
-/// `t² (1 − t)²` times a smooth function, so these see its largest value but for a few percent.
+/// Parameters of a piece at which its error is measured where it cannot be proved. The error of a
+/// Hermite cubic is `t² (1 − t)²` times a smooth function, so these see its largest value but for
+/// a few percent.
 const SAMPLES: [f64; 5] = [0.15, 0.32, 0.5, 0.68, 0.85];
 
-/// Part of the tolerance that the measured error may use; the rest is for what lies between the
+/// Part of the tolerance that a measured error may use; the rest is for what lies between the
 /// samples.
 const SAFETY: f64 = 0.9;
 
-/// Most pieces a stretch is cut into at once; a worse estimate is cut again.
-const MAX_CUTS: f64 = 64.0;
+/// Halvings of a stretch until it is taken as it is: 2⁻³⁰ of a span has no inner shape.
+const DEEPEST: u32 = 30;
 
-/// Stretches of a span shorter than this are not cut further: 1e-9 of a cubic has no inner shape.
-const SHORTEST: f64 = 1e-9;
+/// Standstills nearer to an end of a span than this are the end.
+const AT_END: f64 = 1e-9;
 
 /// The offset of a spline.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,7 +47,7 @@ pub(in crate::compensation) fn offset_spline(
     offset: f64,
     tolerance: f64,
 ) -> SplineOffset {
-    let mut pieces = Vec::with_capacity(spline.pieces().len());
+    let mut pieces: Vec<MoveCurve> = Vec::with_capacity(spline.pieces().len());
     // Stretches that the tool does not fit into, as (span, from, to).
     let mut tight: Vec<(usize, f64, f64)> = Vec::new();
     for (span, cubic) in spline.pieces().iter().enumerate() {
@@ -52,12 +56,16 @@ pub(in crate::compensation) fn offset_spline(
             let mut from = 0.0;
             for to in cusps(&part.cubic, offset).into_iter().chain([1.0]) {
                 let middle = 0.5 * (from + to);
-                let fits = super::cusps::room(&part.cubic, offset, middle) >= 0.0;
+                let fits = room(&part.cubic, offset, middle) >= 0.0;
                 if !fits {
                     tight.push((span, part.at(from), part.at(to)));
                 }
-                let stretch = Stretch { cubic: &part.cubic, offset, from, to };
-                stretch.fit(SAFETY * tolerance, &mut pieces, offset);
+                let source = Source { cubic: part.cubic.part(from, to), offset };
+                let piece = source.hermite();
+                if let Some(last) = pieces.last() {
+                    join(last.end(), piece.start(), part.cubic.point(from), offset, &mut pieces);
+                }
+                fit(&source, &piece, fits, tolerance, 0, &mut pieces);
                 from = to;
             }
         }
@@ -101,7 +109,7 @@ fn cut_at_standstill(cubic: &Cubic) -> Vec<Part> {
     let stands = |t: f64| cubic.derivative(t).length() <= 1e-7 * scale;
     let still: Vec<f64> = crate::geometry::roots(slope)
         .into_iter()
-        .filter(|&t| t > SHORTEST && t < 1.0 - SHORTEST && stands(t))
+        .filter(|&t| t > AT_END && t < 1.0 - AT_END && stands(t))
         .collect();
     if still.is_empty() {
         return whole();
@@ -110,110 +118,57 @@ fn cut_at_standstill(cubic: &Cubic) -> Vec<Part> {
     ends.windows(2).map(|w| Part { cubic: cubic.part(w[0], w[1]), from: w[0], to: w[1] }).collect()
 }
 
-/// A part of one cubic, and the offset asked for.
-#[derive(Clone, Copy)]
-struct Stretch<'a> {
-    cubic: &'a Cubic,
-    offset: f64,
-    from: f64,
-    to: f64,
+/// Appends pieces within `tolerance` of the offset of `source`, of which `hermite` is the plain
+/// one. `fits` tells that the tool does, so that a piece can be proved.
+fn fit(
+    source: &Source,
+    hermite: &Cubic,
+    fits: bool,
+    tolerance: f64,
+    depth: u32,
+    pieces: &mut Vec<MoveCurve>,
+) {
+    if let Some(piece) = good_piece(source, hermite, fits, tolerance, depth) {
+        if piece.hull_length() >= MIN_LENGTH {
+            pieces.push(MoveCurve::Cubic(piece));
+        }
+        return;
+    }
+    let (left, right) = source.cubic.split(0.5);
+    for half in [left, right] {
+        let half = Source { cubic: half, ..*source };
+        fit(&half, &half.hermite(), fits, tolerance, depth + 1, pieces);
+    }
 }
 
-impl Stretch<'_> {
-    /// Appends pieces within `tolerance` of the offset of the stretch.
-    fn fit(&self, tolerance: f64, pieces: &mut Vec<MoveCurve>, offset: f64) {
-        let piece = self.hermite();
-        if let Some(last) = pieces.last() {
-            join(last.end(), piece.start(), self.cubic.point(self.from), offset, pieces);
-        }
-        self.fit_from(&piece, tolerance, pieces);
+/// One piece for the whole of `source`, if one is good enough.
+fn good_piece(
+    source: &Source,
+    hermite: &Cubic,
+    fits: bool,
+    tolerance: f64,
+    depth: u32,
+) -> Option<Cubic> {
+    // Piece and offset share their ends, so neither is farther from the other than half of the
+    // longer one is long; the offset of a stretch that turns little is about as long as its piece.
+    if depth == DEEPEST || hermite.hull_length() <= tolerance {
+        return Some(*hermite);
     }
+    if !fits {
+        return (measured_error(source, hermite) <= SAFETY * tolerance).then_some(*hermite);
+    }
+    let proved = |piece: &Cubic| is_proved(&source.cubic, piece, source.offset, tolerance);
+    // The middle, where the plain piece errs most, spares most proofs that would fail.
+    let (error, _) = source.excess(hermite, 0.5)?;
+    if error.abs() <= tolerance && proved(hermite) {
+        return Some(*hermite);
+    }
+    source.collocated(hermite).filter(proved)
+}
 
-    fn fit_from(&self, piece: &Cubic, tolerance: f64, pieces: &mut Vec<MoveCurve>) {
-        let error = self.error(piece);
-        // A piece shorter than the tolerance is within it whatever it does in between: at cusps.
-        let done = error <= tolerance
-            || piece.hull_length() <= tolerance
-            || self.to - self.from < SHORTEST;
-        if done {
-            if piece.hull_length() >= MIN_LENGTH {
-                pieces.push(MoveCurve::Cubic(*piece));
-            }
-            return;
-        }
-        let cuts = (error / tolerance).powf(0.25).ceil().clamp(2.0, MAX_CUTS);
-        let mut i = 0.0;
-        while i < cuts {
-            let at = |k: f64| self.from + (self.to - self.from) * (k / cuts);
-            let to = if i + 1.0 == cuts { self.to } else { at(i + 1.0) };
-            let part = Self { from: if i == 0.0 { self.from } else { at(i) }, to, ..*self };
-            part.fit_from(&part.hermite(), tolerance, pieces);
-            i += 1.0;
-        }
-    }
-
-    /// Point and derivative of the offset at `t`, the derivative by the cubic's parameter.
-    fn offset_frame(&self, t: f64) -> (DVec2, DVec2) {
-        let first = self.cubic.derivative(t);
-        let second = self.cubic.second_derivative(t);
-        let speed = first.length();
-        let scale = self.cubic.hull_length();
-        // At a standstill the normal is that of the way on, and the offset stands still too but
-        // for a turn that `join` makes.
-        let inside = 1e-6 * (self.to - self.from);
-        let toward = if t == self.to { t - inside } else { t + inside };
-        if speed <= 1e-7 * scale {
-            let along = self.cubic.derivative(toward).normalize_or(DVec2::X);
-            return (self.cubic.point(t) + perp(along) * self.offset, DVec2::ZERO);
-        }
-        let factor = 1.0 - self.offset * cross(first, second) / (speed * speed * speed);
-        (self.cubic.point(t) + perp(first) * (self.offset / speed), first * factor)
-    }
-
-    /// The cubic with the exact ends and end derivatives of the offset.
-    fn hermite(&self) -> Cubic {
-        let width = self.to - self.from;
-        let (start, at_start) = self.offset_frame(self.from);
-        let (end, at_end) = self.offset_frame(self.to);
-        Cubic::hermite(start, at_start * width, end, at_end * width)
-    }
-
-    /// Largest measured distance of `piece` from the offset [mm].
-    fn error(&self, piece: &Cubic) -> f64 {
-        SAMPLES.into_iter().map(|s| self.error_at(piece.point(s), s)).fold(0.0, f64::max)
-    }
-
-    /// Distance from the offset of `sample`, which stands at `s` of the piece.
-    ///
-    /// Never less than the true distance: either the sample stands at right angles over a point of
-    /// the stretch, and then `C + δN` there is that far away, or the offset's point at the same
-    /// parameter is taken.
-    fn error_at(&self, sample: DVec2, s: f64) -> f64 {
-        let mut t = self.from + (self.to - self.from) * s;
-        let same = sample.distance(self.offset_frame(t).0);
-        for _ in 0..2 {
-            let (first, second) = (self.cubic.derivative(t), self.cubic.second_derivative(t));
-            let away = sample - self.cubic.point(t);
-            // Newton's method for (H − C) · C' = 0.
-            let slope = away.dot(second) - first.length_squared();
-            if slope >= 0.0 {
-                return same;
-            }
-            t -= away.dot(first) / slope;
-        }
-        if t < self.from || t > self.to {
-            return same;
-        }
-        let first = self.cubic.derivative(t);
-        let speed = first.length();
-        if speed == 0.0 {
-            return same;
-        }
-        let away = sample - self.cubic.point(t);
-        let (along, aside) = (away.dot(first) / speed, cross(first, away) / speed);
-        // What Newton left along the tangent counts in full.
-        ((aside - self.offset).abs() + along.abs()).min(same)
-    }
+/// Largest measured distance of `piece` from the offset [mm].
+fn measured_error(source: &Source, piece: &Cubic) -> f64 {
+    SAMPLES.into_iter().map(|t| source.distance(piece, t)).fold(0.0, f64::max)
 }
 
 /// Joins the offsets before and behind a cusp of the spline itself, where its tangent turns back:
