@@ -1,6 +1,6 @@
 // The entry that carries the WebAssembly in itself, for bundlers that leave the file behind.
 import load from "./g41.js";
-import base64 from "./g41_bg.wasm.js";
+import base64 from "./g41_base64.js";
 import { initialiser } from "./lifecycle.js";
 
 export * from "./api.js";
