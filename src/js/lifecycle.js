@@ -1,19 +1,39 @@
 // Loads the WebAssembly once, refuses calls before that, and starts afresh after a trap.
 import * as glue from "./g41.js";
 
+/** @type {"absent" | "ready" | "trapped"} */
 let state = "absent";
+/** @type {unknown} */
 let loading;
+/** Counts the fresh starts, since a handle does not outlive the instance that it belongs to. */
+let generation = 0;
 
-/** An `Error` with a `code` that programs can match on. */
-export function coded(code, message) {
-  return Object.assign(new Error(message), { code });
+/** @typedef {typeof glue} Glue */
+/** @typedef {import("./types.d.ts").G41Error["code"]} Code */
+
+/**
+ * An `Error` with a `code` that programs can match on.
+ *
+ * @param {Code} code
+ * @param {string} message
+ * @param {{ path?: string, cause?: unknown }} [more]
+ */
+export function coded(code, message, { path, cause } = {}) {
+  const error = new Error(message, cause === undefined ? undefined : { cause });
+  return Object.assign(error, path === undefined ? { code } : { code, path });
 }
 
-/** Makes `init` from a loader, which may return a promise or be done when it returns. */
+/**
+ * Makes `init` from a loader, which may return a promise or be done when it returns.
+ *
+ * @param {(source?: any) => unknown} load
+ * @returns {(source?: string | object) => Promise<void>}
+ */
 export function initialiser(load) {
   return function init(source) {
     if (state === "trapped") {
       glue.__wbg_reset_state();
+      generation += 1;
       state = "ready";
     }
     if (state === "ready") {
@@ -37,7 +57,13 @@ export function initialiser(load) {
   };
 }
 
-/** Runs a call into the WebAssembly, or says why it cannot. */
+/**
+ * Runs a call into the WebAssembly, or says why it cannot.
+ *
+ * @template T
+ * @param {(glue: Glue) => T} work
+ * @returns {T}
+ */
 export function call(work) {
   if (state === "absent") {
     throw coded("not-initialised", "g41 is not initialised: await init() first");
@@ -47,10 +73,66 @@ export function call(work) {
   }
   try {
     return work(glue);
-  } catch (error) {
-    if (error instanceof WebAssembly.RuntimeError) {
-      state = "trapped";
+  } catch (cause) {
+    if (cause instanceof Error && "code" in cause) {
+      throw cause;
     }
-    throw error;
+    // Whatever else ends a call (a trap, a full stack, no memory) leaves the instance in a state
+    // that nobody knows.
+    state = "trapped";
+    throw coded("trapped", `g41 has stopped after an internal error: ${cause}`, { cause });
+  }
+}
+
+/** `Symbol.dispose`, or a stand-in where the environment does not have it yet. */
+export const disposal = /** @type {typeof Symbol.dispose} */ (
+  Symbol.dispose ?? Symbol.for("Symbol.dispose")
+);
+
+/**
+ * Something that lives in the WebAssembly's memory. It is freed when the handle is no longer
+ * reachable, or by `dispose`.
+ *
+ * @template {{ free(): void }} T
+ */
+export class Handle {
+  /** @type {T | undefined} */
+  #raw;
+  #generation = generation;
+
+  /** @param {(glue: Glue) => T} make */
+  constructor(make) {
+    if (typeof make !== "function") {
+      throw new TypeError("handles are made by the functions of g41, not by new");
+    }
+    this.#raw = call(make);
+  }
+
+  /**
+   * Runs a call with what is held.
+   *
+   * @template R
+   * @param {(raw: T, glue: Glue) => R} work
+   * @returns {R}
+   */
+  use(work) {
+    return call((glue) => {
+      if (this.#generation !== generation) {
+        throw coded("disposed", "this was lost when g41 stopped after an internal error");
+      }
+      if (!this.#raw) {
+        throw coded("disposed", "this was disposed of and cannot be used any more");
+      }
+      return work(this.#raw, glue);
+    });
+  }
+
+  /** Frees what is held, once. */
+  dispose() {
+    const raw = this.#raw;
+    this.#raw = undefined;
+    if (raw && state === "ready" && this.#generation === generation) {
+      call(() => raw.free());
+    }
   }
 }

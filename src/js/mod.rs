@@ -1,4 +1,30 @@
 //! The boundary to JavaScript: converts, calls, converts.
+//!
+//! Numbers cross as typed arrays: contours come in as records ([`contour_records`]), moves go out as
+//! records ([`move_records`]), curves as polylines. The few reports (diagnostics, transitions,
+//! gouges, programmed contours) cross as JSON text, which is small, fast to parse and testable
+//! without a JavaScript engine. Millimetres per second become millimetres per minute here. What
+//! JavaScript sees is not this but `api.js`, whose types are in `types.d.ts`.
+
+mod argument;
+mod compensate;
+mod contour_records;
+mod json;
+mod move_records;
+mod names;
+mod numbering;
+mod polylines;
+mod report;
+mod settings;
+mod tool_path;
+
+pub use argument::BadArgument;
+pub use compensate::{compensate_contours, flatten_contours};
+pub use names::{CornerName, LeadName, SideName, SplineName};
+pub use numbering::Numbering;
+pub use report::{diagnostics_json, gouges_json, transitions_json};
+pub use settings::Settings;
+pub use tool_path::{FlattenedHandle, ToolPathHandle};
 
 use wasm_bindgen::prelude::wasm_bindgen;
 

@@ -118,8 +118,10 @@ export interface Contour {
  * | spline | `3, flags, start tangent x, y, end tangent x, y, count, x0, y0, x1, y1, …` |
  * | lead-in | `4, x, y` |
  * | lead-out | `5, x, y` |
+ * | side | `6, right` |
+ * | tool radius | `7, radius` |
  *
- * `closed` and `clockwise` are 0 or 1. `flags` is a sum of: 1 the start tangent is given, 2 the end
+ * `closed`, `clockwise` and `right` are 0 or 1. `flags` is a sum of: 1 the start tangent is given, 2 the end
  * tangent is given, 4 smooth, 8 periodic, 16 not periodic, 32 centripetal; a tangent that is not
  * given still takes its two numbers.
  */

@@ -1,0 +1,72 @@
+//! Compensation and flattening of contours given as records.
+
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use super::argument::BadArgument;
+use super::contour_records::read_contours;
+use super::names::{SideName, side};
+use super::polylines::Polylines;
+use super::settings::Settings;
+use super::tool_path::{FlattenedHandle, ToolPathHandle};
+use crate::compensation::compensate;
+use crate::contour::{Contour, Tool, ToolPath};
+use crate::diagnostic::Origin;
+
+/// Compensates the contours of `records`; `side` and `radius` [mm] stand for what they say.
+///
+/// # Errors
+/// Where a record is wrong, or a contour is left without a side or a radius.
+#[wasm_bindgen(js_name = compensateContours)]
+pub fn compensate_contours(
+    records: &[f64],
+    side_name: Option<SideName>,
+    radius: Option<f64>,
+    settings: Settings,
+) -> Result<ToolPathHandle, BadArgument> {
+    let (contours, numbering) = read_contours(records)?;
+    let side_name = side_name.and_then(side);
+    let options = settings.into_options();
+    let mut path = ToolPath::default();
+    for contour in contours {
+        let side = side_name.or(contour.side).ok_or_else(|| missing("options.side"))?;
+        let radius = radius.or(contour.radius).ok_or_else(|| missing("options.radius"))?;
+        let tool = Tool::new(radius, side)
+            .ok_or_else(|| BadArgument::new("options.radius", "be at most 1e9 mm"))?;
+        let mut built = contour.build();
+        path.diagnostics.append(&mut built.diagnostics);
+        if let Some(contour) = &built.contour {
+            path.append(compensate(contour, tool, &options));
+        }
+    }
+    Ok(ToolPathHandle::new(path, numbering))
+}
+
+/// The polylines of the contours of `records`, within `tolerance` [mm].
+///
+/// # Errors
+/// Where a record is wrong, or the tolerance asks for too many vertices.
+#[wasm_bindgen(js_name = flattenContours)]
+pub fn flatten_contours(records: &[f64], tolerance: f64) -> Result<FlattenedHandle, BadArgument> {
+    let (contours, numbering) = read_contours(records)?;
+    let mut polylines = Polylines::default();
+    let mut diagnostics = Vec::new();
+    for contour in contours {
+        let mut built = contour.build();
+        diagnostics.append(&mut built.diagnostics);
+        let contour = built.contour.as_ref();
+        polylines.contour(contour, tolerance, |i| described_index(contour, i))?;
+    }
+    Ok(FlattenedHandle::new(polylines, diagnostics, numbering))
+}
+
+/// The number that a made segment has among the described ones, of which some may be left out.
+fn described_index(contour: Option<&Contour>, made: usize) -> u32 {
+    match contour.map(|contour| contour.segments()[made].attributes.origin) {
+        Some(Origin::Segment(number)) => number,
+        Some(Origin::Block { .. }) | None => 0,
+    }
+}
+
+fn missing(path: &str) -> BadArgument {
+    BadArgument::new(path, "be given, since the contour does not say it")
+}

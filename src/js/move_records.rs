@@ -1,0 +1,72 @@
+//! Moves as numbers, a fixed count for each; the layout is that of `records()` in `types.d.ts`.
+
+use super::numbering::Numbering;
+use crate::contour::{Move, MoveCurve, Role};
+use crate::diagnostic::Origin;
+
+/// Numbers of one move.
+pub(super) const STRIDE: usize = 19;
+
+const RAPID: f64 = 0.0;
+const LINE: f64 = 1.0;
+const ARC: f64 = 2.0;
+const CUBIC: f64 = 3.0;
+
+const PLANE_XY: f64 = 0.0;
+
+/// Stands where there is nothing.
+const NONE: f64 = f64::NAN;
+
+/// All moves, [`STRIDE`] numbers each.
+pub(super) fn move_records(moves: &[Move], numbering: &Numbering) -> Vec<f64> {
+    let mut records = Vec::with_capacity(moves.len() * STRIDE);
+    for step in moves {
+        records.extend(record(step, numbering));
+    }
+    records
+}
+
+fn record(step: &Move, numbering: &Numbering) -> [f64; STRIDE] {
+    let Move { curve, role, rapid, feed, z, origin } = step;
+    let (kind, shape) = match curve {
+        // A rapid move is straight: an arc or a cubic must be followed as it is.
+        MoveCurve::Line(_) | MoveCurve::Vertical(_) if *rapid => (RAPID, [0.0; 4]),
+        MoveCurve::Line(_) | MoveCurve::Vertical(_) => (LINE, [0.0; 4]),
+        MoveCurve::Arc(arc) => {
+            let clockwise = f64::from(u8::from(arc.is_clockwise()));
+            (ARC, [arc.center().x, arc.center().y, arc.radius(), clockwise])
+        }
+        MoveCurve::Cubic(cubic) => (CUBIC, {
+            let [_, control1, control2, _] = cubic.points;
+            [control1.x, control1.y, control2.x, control2.y]
+        }),
+    };
+    let role = match role {
+        Role::Segment => 0.0,
+        Role::Transition => 1.0,
+        Role::LeadIn => 2.0,
+        Role::LeadOut => 3.0,
+        Role::Free => 4.0,
+    };
+    let feed = feed.map_or(NONE, per_minute);
+    let [block, number, column] = match *origin {
+        Origin::Block { line, number, column } => {
+            [Some(line), number, column].map(|value| value.map_or(NONE, f64::from))
+        }
+        Origin::Segment(_) => [NONE; 3],
+    };
+    let place = numbering.place_of(*origin);
+    let contour = place.and_then(|place| place.contour).map_or(NONE, f64::from);
+    let segment = place.map_or(NONE, |place| place.segment.into());
+    let (from, to) = (curve.start(), curve.end());
+    let [a, b, c, d] = shape;
+    [
+        kind, role, PLANE_XY, feed, block, number, column, contour, segment, from.x, from.y, z[0],
+        to.x, to.y, z[1], a, b, c, d,
+    ]
+}
+
+/// A feed of the core [mm/s] in JavaScript's unit [mm/min].
+pub(super) fn per_minute(per_second: f64) -> f64 {
+    per_second * 60.0
+}

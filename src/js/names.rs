@@ -1,0 +1,85 @@
+//! The names that options have in JavaScript, and what they stand for.
+#![allow(missing_docs, reason = "the macro adds a variant and a function to each without a word")]
+
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use crate::compensation::{CornerStyle, LeadStyle, SplineMethod};
+use crate::contour::Side;
+
+/// `side` of `types.d.ts`.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SideName {
+    /// G41.
+    Left = "left",
+    /// G42.
+    Right = "right",
+}
+
+/// `corner` of `types.d.ts`.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CornerName {
+    /// Straight moves.
+    Linear = "linear",
+    /// An arc.
+    Arc = "arc",
+}
+
+/// `spline` of `types.d.ts`.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum SplineName {
+    /// The equidistant curve.
+    Exact = "exact",
+    /// The spline through the moved type points.
+    TypePoints = "type-points",
+}
+
+/// `lead` of `types.d.ts`.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum LeadName {
+    /// Joined as any corner.
+    Textbook = "textbook",
+    /// Straight to the end of the first offset.
+    Perpendicular = "perpendicular",
+}
+
+// A name has a further variant for texts that are none of it; `api.js` lets none of these pass.
+
+/// What a spline method's name stands for.
+pub(super) fn spline_method(name: SplineName) -> Option<SplineMethod> {
+    match name {
+        SplineName::Exact => Some(SplineMethod::Exact),
+        SplineName::TypePoints => Some(SplineMethod::TypePoints),
+        SplineName::__Invalid => None,
+    }
+}
+
+/// What a corner style's name stands for.
+pub(super) fn corner_style(name: CornerName) -> Option<CornerStyle> {
+    match name {
+        CornerName::Linear => Some(CornerStyle::Linear),
+        CornerName::Arc => Some(CornerStyle::Arc),
+        CornerName::__Invalid => None,
+    }
+}
+
+/// What a lead style's name stands for.
+pub(super) fn lead_style(name: LeadName) -> Option<LeadStyle> {
+    match name {
+        LeadName::Textbook => Some(LeadStyle::Textbook),
+        LeadName::Perpendicular => Some(LeadStyle::Perpendicular),
+        LeadName::__Invalid => None,
+    }
+}
+
+/// The side of a name.
+pub(super) fn side(name: SideName) -> Option<Side> {
+    match name {
+        SideName::Left => Some(Side::Left),
+        SideName::Right => Some(Side::Right),
+        SideName::__Invalid => None,
+    }
+}

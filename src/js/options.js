@@ -1,0 +1,158 @@
+// Checks the options of every function; what is left out stays undefined, and the core decides.
+import { bad, finite, notSupported, object, oneOf, optional, positive } from "./check.js";
+import { sides } from "./pack.js";
+
+/** @typedef {import("./check.js").Where} Where */
+
+const profiles = /** @type {const} */ (["g41"]);
+const laterProfiles = ["linuxcnc", "fanuc", "isg", "sinumerik"];
+const splines = /** @type {const} */ (["exact", "type-points"]);
+const corners = /** @type {const} */ (["linear", "arc"]);
+const leads = /** @type {const} */ (["textbook", "perpendicular"]);
+const laterLeads = ["intersection", "extra-move", "linuxcnc"];
+const gouges = /** @type {const} */ (["report"]);
+const laterGouges = ["avoid", "stop"];
+
+const settingKeys = ["profile", "tolerance", "spline", "corner", "lead", "gouge", "tangentBand"];
+/** Options of a later version. */
+const laterKeys = ["passes", "stepover"];
+const contourKeys = new Set(["side", "radius", ...settingKeys, ...laterKeys]);
+const programKeys = new Set(["tools", "radius", ...settingKeys, ...laterKeys]);
+const parseKeys = new Set(["dialect", "profile"]);
+const gcodeKeys = new Set(["target", "tolerance", "feed"]);
+const toolKeys = new Set(["radius"]);
+
+/** @type {(key: string) => Where} */
+const at = (key) => () => `options.${key}`;
+/** @type {Where} */
+const here = () => "options";
+
+/**
+ * What is meant by a tolerance that is left out [mm]; the same as the core's for compensation.
+ */
+const defaultTolerance = 0.001;
+
+/**
+ * A tolerance that is an argument of its own.
+ *
+ * @param {unknown} value
+ */
+export function tolerance(value) {
+  return optional(value, positive, () => "tolerance") ?? defaultTolerance;
+}
+
+/** @param {unknown} given */
+export function contourOptions(given = {}) {
+  const options = object(given, contourKeys, here);
+  return {
+    side: optional(options.side, (value) => oneOf(value, sides, at("side"))),
+    radius: optional(options.radius, radius, at("radius")),
+    settings: settings(options),
+  };
+}
+
+/** @param {unknown} given */
+export function programOptions(given = {}) {
+  const options = object(given, programKeys, here);
+  return {
+    tools: optional(options.tools, tools) ?? new Float64Array(),
+    radius: optional(options.radius, radius, at("radius")),
+    settings: settings(options),
+  };
+}
+
+/** @param {unknown} given */
+export function parseOptions(given = {}) {
+  const options = object(given, parseKeys, here);
+  profile(options);
+  const { dialect } = options;
+  if (typeof dialect === "string" && dialect !== "auto") {
+    notSupported(at("dialect"), `"${dialect}"`);
+  }
+  optional(dialect, (value) => oneOf(value, ["auto"], at("dialect")));
+}
+
+/** @param {unknown} given */
+export function gcodeOptions(given = {}) {
+  const options = object(given, gcodeKeys, here);
+  const { target } = options;
+  if (typeof target === "string" && target !== "grbl") {
+    notSupported(at("target"), `"${target}"`);
+  }
+  optional(target, (value) => oneOf(value, ["grbl"], at("target")));
+  return {
+    tolerance: optional(options.tolerance, positive, at("tolerance")) ?? defaultTolerance,
+    feed: optional(options.feed, positive, at("feed")),
+  };
+}
+
+/**
+ * The options that make up `Settings` of the core, in the order of its constructor.
+ *
+ * @param {Record<string, unknown>} options
+ */
+function settings(options) {
+  profile(options);
+  optional(options.gouge, (value) => oneOf(value, gouges, at("gouge"), laterGouges));
+  for (const key of laterKeys) {
+    // One pass is what there is.
+    if (options[key] !== undefined && !(key === "passes" && options[key] === 1)) {
+      notSupported(at(key), `"${key}"`);
+    }
+  }
+  return /** @type {const} */ ([
+    optional(options.tolerance, positive, at("tolerance")),
+    optional(options.spline, (value) => oneOf(value, splines, at("spline"))),
+    optional(options.corner, (value) => oneOf(value, corners, at("corner"))),
+    optional(options.lead, (value) => oneOf(value, leads, at("lead"), laterLeads)),
+    optional(options.tangentBand, tangentBand),
+  ]);
+}
+
+/** @param {Record<string, unknown>} options */
+function profile(options) {
+  optional(options.profile, (value) => oneOf(value, profiles, at("profile"), laterProfiles));
+}
+
+/**
+ * A number in rad, or nothing for "auto".
+ *
+ * @param {unknown} value
+ */
+function tangentBand(value) {
+  if (value === "auto") {
+    return undefined;
+  }
+  const band = finite(value, () => `${at("tangentBand")()}, unless "auto",`);
+  return band >= 0 && band < Math.PI ? band : bad(at("tangentBand"), "be at least 0 and below π");
+}
+
+/**
+ * @param {unknown} value
+ * @param {Where} where
+ */
+function radius(value, where) {
+  const number = finite(value, where);
+  return Math.abs(number) <= 1e9 ? number : bad(where, "be at most 1e9 mm");
+}
+
+/**
+ * Numbers and radii of tools, one after the other.
+ *
+ * @param {unknown} given
+ */
+function tools(given) {
+  if (typeof given !== "object" || given === null) {
+    bad(at("tools"), "be an object of tools by their number");
+  }
+  return Float64Array.from(
+    Object.entries(given).flatMap(([number, tool]) => {
+      const where = at(`tools[${number}]`);
+      if (!/^\d{1,9}$/.test(number)) {
+        bad(where, "have a whole number for its name");
+      }
+      const { radius: value } = object(tool, toolKeys, where);
+      return [Number(number), radius(value, () => `${where()}.radius`)];
+    }),
+  );
+}

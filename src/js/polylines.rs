@@ -1,0 +1,134 @@
+//! Curves as polylines: pieces without a gap, one vertex after the other.
+
+use glam::DVec2;
+use js_sys::{Array, Float64Array, Uint32Array};
+
+use super::argument::BadArgument;
+use crate::contour::{Contour, Move, MoveCurve};
+use crate::geometry::{Curve, flatten_arc, flatten_cubic};
+
+/// Most vertices in one answer. A path of a hundred thousand moves has some millions at a
+/// micrometre; far beyond that, memory ends.
+const MAX_VERTICES: usize = 1 << 23;
+
+/// Distance from which on two moves do not follow each other [mm]: a nanometre, which no machine
+/// resolves, and which rounding of coordinates does not reach.
+const GAP: f64 = 1e-6;
+
+/// Polylines of several pieces.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct Polylines {
+    /// x, y and z of each vertex [mm].
+    pub(super) points: Vec<f64>,
+    /// Index of the first vertex of each piece.
+    pub(super) starts: Vec<u32>,
+    /// For each vertex, the index of the curve whose chord ends there; for the first of a piece,
+    /// that of the curve which begins there.
+    pub(super) owners: Vec<u32>,
+}
+
+impl Polylines {
+    /// The polylines of moves that follow each other without a gap or a rapid move.
+    pub(super) fn of_moves(moves: &[Move], tolerance: f64) -> Result<Self, BadArgument> {
+        let mut polylines = Self::default();
+        let mut end = None;
+        for (owner, step) in (0..).zip(moves) {
+            if step.rapid {
+                end = None;
+                continue;
+            }
+            let start = step.curve.start();
+            if !end.is_some_and(|end| meets(end, (start, step.z[0]))) {
+                polylines.begin();
+                polylines.add(start, step.z[0], owner);
+            }
+            let from = polylines.owners.len();
+            step.curve.flatten(tolerance, |point| polylines.add(point, step.z[1], owner));
+            polylines.spread_height(from, step);
+            polylines.check()?;
+            end = Some((step.curve.end(), step.z[1]));
+        }
+        Ok(polylines)
+    }
+
+    /// Begins a piece with the polyline of a contour, which stays empty where there is none; each
+    /// segment has the number that `number` gives it.
+    pub(super) fn contour(
+        &mut self,
+        contour: Option<&Contour>,
+        tolerance: f64,
+        number: impl Fn(usize) -> u32,
+    ) -> Result<(), BadArgument> {
+        self.begin();
+        let segments = contour.map_or(&[][..], Contour::segments);
+        for (i, segment) in segments.iter().enumerate() {
+            let [z, z_end] = segment.attributes.z;
+            if i == 0 {
+                self.add(segment.curve.start(), z, number(i));
+            }
+            let add = |point| self.add(point, z_end, number(i));
+            match &segment.curve {
+                Curve::Line(line) => MoveCurve::Line(*line).flatten(tolerance, add),
+                Curve::Arc(arc) => flatten_arc(arc, tolerance, add),
+                Curve::Spline(spline) => {
+                    let mut add = add;
+                    for piece in spline.pieces() {
+                        flatten_cubic(piece, tolerance, &mut add);
+                    }
+                }
+            }
+            self.check()?;
+        }
+        Ok(())
+    }
+
+    fn begin(&mut self) {
+        self.starts.push(index(self.owners.len()));
+    }
+
+    fn add(&mut self, point: DVec2, z: f64, owner: u32) {
+        self.points.extend([point.x, point.y, z]);
+        self.owners.push(owner);
+    }
+
+    /// Gives the vertices of a move, from vertex `from` on, heights that change evenly along it.
+    fn spread_height(&mut self, from: usize, step: &Move) {
+        let [z, z_end] = step.z;
+        let count = self.owners.len() - from;
+        if z == z_end {
+            return;
+        }
+        for i in 0..count {
+            // Chords of one move have the same step of its parameter.
+            let t = (i + 1) as f64 / count as f64;
+            self.points[3 * (from + i) + 2] =
+                if i + 1 == count { z_end } else { z + (z_end - z) * t };
+        }
+    }
+
+    fn check(&self) -> Result<(), BadArgument> {
+        if self.owners.len() <= MAX_VERTICES {
+            return Ok(());
+        }
+        Err(BadArgument::new("tolerance", "be larger: the polylines have too many vertices"))
+    }
+
+    /// `[points3, starts, owners]` for JavaScript.
+    pub(super) fn into_arrays(self) -> Array {
+        Array::of3(
+            &Float64Array::from(self.points.as_slice()),
+            &Uint32Array::from(self.starts.as_slice()),
+            &Uint32Array::from(self.owners.as_slice()),
+        )
+    }
+}
+
+/// Whether two ends are the same place, to within [`GAP`].
+fn meets(a: (DVec2, f64), b: (DVec2, f64)) -> bool {
+    a.0.distance(b.0) <= GAP && (a.1 - b.1).abs() <= GAP
+}
+
+/// An index as JavaScript gets it; [`MAX_VERTICES`] keeps it in range.
+fn index(value: usize) -> u32 {
+    u32::try_from(value).unwrap_or(u32::MAX)
+}

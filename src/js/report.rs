@@ -1,0 +1,110 @@
+//! Reports as JSON: diagnostics, transitions and gouges.
+//!
+//! Each is taken apart field by field and matched variant by variant, so that what is added to the
+//! core does not compile here until it is passed on.
+
+use super::json::{Object, list};
+use super::numbering::{Numbering, Place};
+use crate::contour::{Gouge, GougeKind, Transition, TransitionKind};
+use crate::diagnostic::{Diagnostic, Origin, Severity};
+
+/// `Diagnostic[]` of `types.d.ts` as JSON.
+#[must_use]
+pub fn diagnostics_json(diagnostics: &[Diagnostic], numbering: &Numbering) -> String {
+    list(diagnostics, |object, diagnostic| {
+        let Diagnostic { severity, code, message, hint, at, origin, depth, segments } = diagnostic;
+        object.text(
+            "severity",
+            match severity {
+                Severity::Info => "info",
+                Severity::Warning => "warning",
+                Severity::Error => "error",
+            },
+        );
+        object.text("code", code);
+        object.text("message", message);
+        if let Some(hint) = hint {
+            object.text("hint", hint);
+        }
+        if let Some(at) = at {
+            object.point("at", *at);
+        }
+        if let Some(origin) = origin {
+            object.object("origin", |inner| write_origin(inner, *origin, numbering));
+        }
+        if let Some(depth) = depth {
+            object.number("depth", *depth);
+        }
+        if !segments.is_empty() {
+            write_segments(object, segments, numbering);
+        }
+    })
+}
+
+/// `Transition[]` of `types.d.ts` as JSON.
+#[must_use]
+pub fn transitions_json(transitions: &[Transition], numbering: &Numbering) -> String {
+    list(transitions, |object, transition| {
+        let Transition { kind, angle, corner, construction, origin } = transition;
+        object.text(
+            "kind",
+            match kind {
+                TransitionKind::Shortened => "shortened",
+                TransitionKind::Elongated => "elongated",
+                TransitionKind::Inserted => "inserted",
+            },
+        );
+        object.number("angle", *angle);
+        object.point("corner", *corner);
+        object.object("construction", |inner| {
+            for (name, point) in construction {
+                inner.point(name, *point);
+            }
+        });
+        object.object("origin", |inner| write_origin(inner, *origin, numbering));
+    })
+}
+
+/// `Gouge[]` of `types.d.ts` as JSON.
+#[must_use]
+pub fn gouges_json(gouges: &[Gouge], numbering: &Numbering) -> String {
+    list(gouges, |object, gouge| {
+        let Gouge { kind, at, depth, segments } = gouge;
+        object.text(
+            "kind",
+            match kind {
+                GougeKind::Curvature => "curvature",
+                GougeKind::Bottleneck => "bottleneck",
+            },
+        );
+        object.point("at", *at);
+        object.number("depth", *depth);
+        write_segments(object, segments, numbering);
+    })
+}
+
+fn write_segments(object: &mut Object<'_>, segments: &[Origin], numbering: &Numbering) {
+    object.list("segments", segments, |inner, origin| write_origin(inner, *origin, numbering));
+}
+
+/// The fields of an `Origin` of `types.d.ts`.
+pub(super) fn write_origin(object: &mut Object<'_>, origin: Origin, numbering: &Numbering) {
+    match origin {
+        Origin::Block { line, number, column } => {
+            object.number("block", line.into());
+            if let Some(number) = number {
+                object.number("number", number.into());
+            }
+            if let Some(column) = column {
+                object.number("column", column.into());
+            }
+        }
+        Origin::Segment(number) => {
+            let Place { contour, segment } = numbering.place(number);
+            object.number("segment", segment.into());
+            if let Some(contour) = contour {
+                object.number("contour", contour.into());
+            }
+        }
+    }
+}

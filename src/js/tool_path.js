@@ -1,0 +1,87 @@
+// The tool path as its user sees it: what the WebAssembly holds, unpacked when it is asked for.
+import { drawOn, svgData } from "./draw.js";
+import { coded, disposal, Handle } from "./lifecycle.js";
+import { unpackMoves } from "./moves.js";
+import { tolerance } from "./options.js";
+import { unpackPolylines } from "./polylines.js";
+
+/** @typedef {import("./types.d.ts").ToolPath} Face */
+/** @typedef {import("./lifecycle.js").Glue} Glue */
+/** @typedef {InstanceType<Glue["ToolPathHandle"]>} Raw */
+
+/** @implements {Face} */
+export class ToolPath {
+  /** @type {Handle<Raw>} */
+  #handle;
+  /** @type {Face["moves"] | undefined} */
+  #moves;
+  /** @type {Face["transitions"] | undefined} */
+  #transitions;
+  /** @type {Face["diagnostics"] | undefined} */
+  #diagnostics;
+  /** @type {Face["gouges"] | undefined} */
+  #gouges;
+
+  /** @param {(glue: Glue) => Raw} make */
+  constructor(make) {
+    this.#handle = new Handle(make);
+  }
+
+  get moves() {
+    this.#moves ??= unpackMoves(this.records());
+    return this.#moves;
+  }
+
+  get transitions() {
+    this.#transitions ??= JSON.parse(this.#handle.use((raw) => raw.transitions()));
+    return /** @type {Face["transitions"]} */ (this.#transitions);
+  }
+
+  get diagnostics() {
+    this.#diagnostics ??= JSON.parse(this.#handle.use((raw) => raw.diagnostics()));
+    return /** @type {Face["diagnostics"]} */ (this.#diagnostics);
+  }
+
+  get gouges() {
+    this.#gouges ??= JSON.parse(this.#handle.use((raw) => raw.gouges()));
+    return /** @type {Face["gouges"]} */ (this.#gouges);
+  }
+
+  records() {
+    return this.#handle.use((raw) => raw.records());
+  }
+
+  /** @param {number} [within] */
+  polyline(within) {
+    const { points, starts } = this.polylines(within);
+    if (starts.length > 1) {
+      throw coded(
+        "several-pieces",
+        `the path is in ${starts.length} pieces: use polylines() instead of polyline()`,
+      );
+    }
+    return points;
+  }
+
+  /** @param {number} [within] */
+  polylines(within) {
+    const chord = tolerance(within);
+    return unpackPolylines(this.#handle.use((raw) => raw.polylines(chord)));
+  }
+
+  /** @returns {any} `Path2D`, which the types name only where the environment has it */
+  toPath2D() {
+    if (typeof Path2D === "undefined") {
+      throw coded("not-supported", "toPath2D() needs an environment with Path2D; svg() does not");
+    }
+    return drawOn(new Path2D(), this.records());
+  }
+
+  svg() {
+    return svgData(this.records());
+  }
+
+  [disposal]() {
+    this.#handle.dispose();
+  }
+}
