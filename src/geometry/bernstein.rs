@@ -13,18 +13,25 @@ const ZERO_FRACTION: f64 = 1e-15;
 
 /// The roots in `[0, 1]` of the polynomial with the given Bernstein coefficients, ascending.
 ///
-/// A root where the polynomial touches zero without crossing is found up to rounding and listed
-/// once. A polynomial that is zero throughout has no isolated root: the list is empty.
+/// A root where the polynomial touches zero without crossing, up to rounding, is listed once. A
+/// polynomial that is zero throughout, or not finite, has no isolated root: the list is empty.
 #[must_use]
 pub fn roots<const N: usize>(coefficients: [f64; N]) -> Vec<f64> {
     let scale = coefficients.iter().fold(0.0_f64, |m, c| m.max(c.abs()));
     let mut found = Vec::new();
-    if scale == 0.0 || !scale.is_finite() {
+    if scale == 0.0 || !coefficients.iter().all(|c| c.is_finite()) {
         return found;
     }
-    isolate(coefficients, 0.0, 1.0, 0, scale * ZERO_FRACTION, &mut found);
-    // A root on a boundary of two intervals is found by both.
-    found.dedup_by(|b, a| *b - *a < 1e-13);
+    let zero = scale * ZERO_FRACTION;
+    isolate(coefficients, 0.0, 1.0, 0, zero, &mut found);
+    // Intervals next to each other find a root between them, or the flat bottom of one, twice.
+    found.dedup_by(|b, a| {
+        let same = *b - *a < 1e-13 || value(&coefficients, 0.5 * (*a + *b)).abs() <= zero;
+        if same && *b == 1.0 {
+            *a = 1.0;
+        }
+        same
+    });
     found
 }
 
@@ -40,15 +47,18 @@ fn isolate<const N: usize>(
     let last = N - 1;
     let starts_at_zero = coefficients[0].abs() <= zero;
     let ends_at_zero = coefficients[last].abs() <= zero;
+    // A zero at an end is that end; the other coefficients tell of the roots between.
+    let between = &coefficients[usize::from(starts_at_zero)..N - usize::from(ends_at_zero)];
     if starts_at_zero {
         found.push(from);
     }
     let changes = sign_changes(&coefficients, zero);
+    let apart = between.iter().all(|&c| c > zero) || between.iter().all(|&c| c < -zero);
     if changes == 1 && !starts_at_zero && !ends_at_zero {
         let t = bracketed_root(&coefficients);
         found.push(from + (to - from) * t);
-    } else if changes >= 1 {
-        if depth == MAX_DEPTH {
+    } else if !apart {
+        if depth == MAX_DEPTH || coefficients.iter().all(|c| c.abs() <= zero) {
             found.push(0.5 * (from + to));
         } else {
             let middle = 0.5 * (from + to);
