@@ -1,6 +1,6 @@
 //! Arc and spline, span by span.
 
-use super::{Crossing, END_SLACK, Intersections, with_ends};
+use super::{Crossing, END_SLACK, Intersections, with_ends, with_touches};
 use crate::geometry::{Arc, Cubic, roots};
 
 /// Where an arc crosses one cubic of a spline: the roots of `|C − centre|² − R²`, a polynomial of
@@ -20,7 +20,17 @@ pub fn arc_cubic(arc: &Arc, cubic: &Cubic) -> Intersections {
     }
     let at_ends = [c[0], c[3]].map(|p| (p.length() - arc.radius()).abs() <= END_SLACK);
     // No cubic is a circle, so the two never coincide on a stretch longer than a point.
-    let crossings = with_ends(roots(squared), at_ends)
+    // |d² − R²| at most this where |d − R| is at most the slack.
+    let near = 2.0 * END_SLACK * (arc.radius() + END_SLACK);
+    if squared.iter().all(|&s| s > near) || squared.iter().all(|&s| s < -near) {
+        return Intersections::Points(Vec::new());
+    }
+    let mut slopes = [0.0; 6];
+    for (slope, pair) in slopes.iter_mut().zip(squared.windows(2)) {
+        *slope = pair[1] - pair[0];
+    }
+    let distance = |u| cubic.point(u).distance(arc.center()) - arc.radius();
+    let crossings = with_touches(with_ends(roots(squared), at_ends), roots(slopes), distance)
         .into_iter()
         .filter_map(|u| {
             let point = cubic.point(u);

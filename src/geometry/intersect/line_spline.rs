@@ -1,6 +1,6 @@
 //! Line and spline, span by span.
 
-use super::{Crossing, END_SLACK, Intersections, with_ends, within};
+use super::{Crossing, END_SLACK, Intersections, with_ends, with_touches, within};
 use crate::geometry::{Cubic, Line, cross, roots};
 
 /// Where a line crosses one cubic of a spline: the roots of the cubic's distance from the line,
@@ -23,7 +23,13 @@ pub fn line_cubic(line: &Line, cubic: &Cubic) -> Intersections {
         };
     }
     let at_ends = [distances[0], distances[3]].map(|d| d.abs() <= END_SLACK);
-    let crossings = with_ends(roots(distances), at_ends)
+    let touches = roots([
+        distances[1] - distances[0],
+        distances[2] - distances[1],
+        distances[3] - distances[2],
+    ]);
+    let distance = |u| cross(along, cubic.point(u) - line.start());
+    let crossings = with_touches(with_ends(roots(distances), at_ends), touches, distance)
         .into_iter()
         .filter_map(|u| {
             let point = cubic.point(u);

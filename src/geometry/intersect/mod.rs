@@ -90,3 +90,20 @@ fn with_ends(mut roots: Vec<f64>, at_ends: [bool; 2]) -> Vec<f64> {
     }
     roots
 }
+
+/// `roots` of a distance with those places of `stationary` added where it is not zero but within
+/// [`END_SLACK`]: the curves touch there up to rounding.
+fn with_touches(
+    mut roots: Vec<f64>,
+    stationary: impl IntoIterator<Item = f64>,
+    distance: impl Fn(f64) -> f64,
+) -> Vec<f64> {
+    for t in stationary {
+        let within = |t: f64| distance(t).abs() <= END_SLACK;
+        // Between the two roots of a slight overlap the distance stays within the slack too.
+        if within(t) && !roots.iter().any(|r| within(0.5 * (r + t))) {
+            roots.push(t);
+        }
+    }
+    roots
+}

@@ -2,14 +2,19 @@
 //!
 //! The pair of cubics is halved until the boxes of its parts part, or until the parts can cross
 //! at most once: when every tangent of one is on the same side of every tangent of the other, the
-//! difference of the curves is one-to-one. Newton's method then finds the crossing.
+//! difference of the curves is one-to-one. Newton's method then finds the crossing. Where the
+//! curves only touch, halving goes on until both parts are straight lines side by side.
 
 use super::{Crossing, END_SLACK, Intersections};
 use crate::geometry::{Cubic, cross};
 
-/// Pairs of parts examined before the curves count as sharing a stretch. A crossing takes about
-/// 20, a touch of two arcs of radius 100 about 2,000.
+/// Pairs of parts examined before the curves count as sharing a stretch: a crossing takes about
+/// 20, a touch a few hundred.
 const MAX_PAIRS: usize = 20_000;
+
+/// Pairs of straight parts side by side before the curves count as sharing a stretch: curves that
+/// touch in a point leave each other within a few, unless their curvatures agree to 1e-3.
+const MAX_TOUCHES: usize = 64;
 
 /// Part of a cubic over `[from, to]` of its parameter.
 #[derive(Clone, Copy)]
@@ -36,7 +41,7 @@ pub fn cubic_cubic(a: &Cubic, b: &Cubic) -> Intersections {
     let whole = |cubic: &Cubic| Part { cubic: *cubic, from: 0.0, to: 1.0 };
     let mut pairs = vec![(whole(a), whole(b))];
     let mut found: Vec<Crossing> = Vec::new();
-    let mut examined = 0;
+    let (mut examined, mut touches) = (0, 0);
     while let Some((pa, pb)) = pairs.pop() {
         examined += 1;
         if examined > MAX_PAIRS {
@@ -53,10 +58,14 @@ pub fn cubic_cubic(a: &Cubic, b: &Cubic) -> Intersections {
             continue;
         }
         let (size_a, size_b) = (box_a.size().max_element(), box_b.size().max_element());
-        if size_a.max(size_b) <= END_SLACK {
-            // Two parts too small to tell apart: the curves touch here.
-            let (t, u) = (0.5 * (pa.from + pa.to), 0.5 * (pb.from + pb.to));
-            add(&mut found, Crossing { point: a.point(t), t, u });
+        if is_straight(&pa.cubic) && is_straight(&pb.cubic) {
+            if let Some((t, u)) = touch(&pa, &pb) {
+                touches += 1;
+                if touches > MAX_TOUCHES {
+                    return Intersections::Coincident;
+                }
+                add_touch(&mut found, a, b, Crossing { point: a.point(t), t, u });
+            }
         } else if size_a >= size_b {
             pairs.extend(pa.halves().map(|half| (half, pb)));
         } else {
@@ -77,6 +86,58 @@ fn add(found: &mut Vec<Crossing>, crossing: Crossing) {
     if !known {
         found.push(crossing);
     }
+}
+
+/// Adds a touch unless it continues one found already: between the two the curves stay together.
+fn add_touch(found: &mut Vec<Crossing>, a: &Cubic, b: &Cubic, touch: Crossing) {
+    let known = found.iter().any(|other| {
+        let (t, u) = (0.5 * (other.t + touch.t), 0.5 * (other.u + touch.u));
+        let apart = b.point(u) - a.point(t);
+        let across = cross(b.tangent(u), apart).abs().max(cross(a.tangent(t), apart).abs());
+        // Both parameters are middles of parts, so the points may be off along the curves.
+        across <= 2.0 * END_SLACK
+            && apart.length() <= 1e-3 * (1.0 + a.hull_length())
+            && (other.t - touch.t).abs() < 1e-2
+    });
+    if !known {
+        found.push(touch);
+    }
+}
+
+/// Whether a part is a straight line to within a small part of the slack.
+fn is_straight(cubic: &Cubic) -> bool {
+    let [p0, p1, p2, p3] = cubic.points;
+    let chord = p3 - p0;
+    let length = chord.length();
+    if length <= END_SLACK {
+        return cubic.hull_length() <= END_SLACK;
+    }
+    // The curve is no farther from the chord than 3/4 of its farthest control point.
+    let off = |p| cross(chord, p - p0).abs() / length;
+    off(p1).max(off(p2)) <= 0.1 * END_SLACK
+}
+
+/// Parameters at which two straight parts are nearest to each other, if they come within the
+/// slack.
+fn touch(pa: &Part, pb: &Part) -> Option<(f64, f64)> {
+    let parameter = |part: &Part, t: f64| part.from + (part.to - part.from) * t;
+    let at = |t: f64, u: f64| (pa.cubic.point(t).distance(pb.cubic.point(u)), t, u);
+    let onto = |cubic: &Cubic, p: glam::DVec2| {
+        let chord = cubic.end() - cubic.start();
+        let along = (p - cubic.start()).dot(chord) / chord.length_squared();
+        if along.is_finite() { along.clamp(0.0, 1.0) } else { 0.0 }
+    };
+    // Two segments are nearest at an end of one of them, or they cross.
+    [
+        at(0.0, onto(&pb.cubic, pa.cubic.start())),
+        at(1.0, onto(&pb.cubic, pa.cubic.end())),
+        at(onto(&pa.cubic, pb.cubic.start()), 0.0),
+        at(onto(&pa.cubic, pb.cubic.end()), 1.0),
+    ]
+    .into_iter()
+    .min_by(|x, y| x.0.total_cmp(&y.0))
+    .filter(|(distance, ..)| *distance <= END_SLACK)
+    .map(|(_, t, u)| (parameter(pa, t), parameter(pb, u)))
 }
 
 /// Whether all tangents of `b` are strictly on the same side of all tangents of `a`.
