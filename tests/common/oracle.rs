@@ -1,0 +1,185 @@
+//! Curves evaluated in the plainest way, to judge those of the crate by.
+
+use glam::DVec2;
+
+use g41::geometry::{Arc, Cubic, Line};
+
+/// A curve of one piece.
+#[derive(Debug, Clone, Copy)]
+pub(crate) enum Plain {
+    Line(DVec2, DVec2),
+    Arc { center: DVec2, radius: f64, from: f64, sweep: f64 },
+    Bezier([DVec2; 4]),
+}
+
+impl Plain {
+    pub(crate) fn of_line(line: &Line) -> Self {
+        Self::Line(line.start(), line.end())
+    }
+
+    pub(crate) fn of_arc(arc: &Arc) -> Self {
+        let from = (arc.start() - arc.center()).to_angle();
+        Self::Arc { center: arc.center(), radius: arc.radius(), from, sweep: arc.sweep() }
+    }
+
+    pub(crate) fn of_cubic(cubic: &Cubic) -> Self {
+        Self::Bezier(cubic.points)
+    }
+
+    pub(crate) fn point(&self, t: f64) -> DVec2 {
+        match *self {
+            Self::Line(a, b) => a + (b - a) * t,
+            Self::Arc { center, radius, from, sweep } => {
+                center + DVec2::from_angle(from + sweep * t) * radius
+            }
+            Self::Bezier([a, b, c, d]) => {
+                let (e, f, g) = (a.lerp(b, t), b.lerp(c, t), c.lerp(d, t));
+                e.lerp(f, t).lerp(f.lerp(g, t), t)
+            }
+        }
+    }
+
+    pub(crate) fn derivative(&self, t: f64) -> DVec2 {
+        match *self {
+            Self::Line(a, b) => b - a,
+            Self::Arc { radius, from, sweep, .. } => {
+                DVec2::from_angle(from + sweep * t).perp() * radius * sweep
+            }
+            Self::Bezier([a, b, c, d]) => {
+                let (e, f, g) = (b - a, c - b, d - c);
+                e.lerp(f, t).lerp(f.lerp(g, t), t) * 3.0
+            }
+        }
+    }
+
+    /// Points at `count` + 1 even parameters.
+    pub(crate) fn sampled(&self, count: usize) -> Vec<DVec2> {
+        (0..=count).map(|i| self.point(i as f64 / count as f64)).collect()
+    }
+
+    /// Distance from `point` by dense sampling and golden sections around every sample that could
+    /// be nearest.
+    pub(crate) fn distance(&self, point: DVec2, count: usize) -> f64 {
+        let at = |t: f64| self.point(t).distance(point);
+        let n = count as f64;
+        let sampled: Vec<f64> = (0..=count).map(|i| at(i as f64 / n)).collect();
+        let mut best = f64::INFINITY;
+        for i in 0..=count {
+            let before = if i > 0 { sampled[i - 1] } else { f64::INFINITY };
+            let after = if i < count { sampled[i + 1] } else { f64::INFINITY };
+            if sampled[i] <= before && sampled[i] <= after {
+                let low = i.saturating_sub(1) as f64 / n;
+                let high = (i + 1).min(count) as f64 / n;
+                best = best.min(sampled[i]).min(golden_minimum(at, low, high));
+            }
+        }
+        best
+    }
+}
+
+/// Distances from a set of curves, by dense sampling and golden sections.
+pub(crate) struct Field<'a> {
+    curves: Vec<Box<dyn Fn(f64) -> DVec2 + 'a>>,
+    blocks: Vec<Block>,
+}
+
+/// Successive samples of one curve and a circle around them.
+struct Block {
+    curve: usize,
+    from: f64,
+    step: f64,
+    points: Vec<DVec2>,
+    center: DVec2,
+    radius: f64,
+    /// Largest distance of successive samples.
+    gap: f64,
+}
+
+impl<'a> Field<'a> {
+    /// Of `curves` over `[0, 1]`, each with the number of samples that shows all its bends.
+    pub(crate) fn new(
+        curves: impl IntoIterator<Item = (Box<dyn Fn(f64) -> DVec2 + 'a>, usize)>,
+    ) -> Self {
+        const SIZE: usize = 16;
+        let mut field = Self { curves: Vec::new(), blocks: Vec::new() };
+        for (curve, (at, samples)) in curves.into_iter().enumerate() {
+            let count = samples.div_ceil(SIZE);
+            let step = 1.0 / (count * SIZE) as f64;
+            for block in 0..count {
+                let from = (block * SIZE) as f64 * step;
+                let points: Vec<DVec2> = (0..=SIZE).map(|i| at(from + i as f64 * step)).collect();
+                let low = points.iter().copied().fold(DVec2::INFINITY, DVec2::min);
+                let high = points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
+                let gap = points.windows(2).map(|w| w[0].distance(w[1])).fold(0.0, f64::max);
+                let center = low.midpoint(high);
+                let radius = center.distance(high) + gap;
+                field.blocks.push(Block { curve, from, step, points, center, radius, gap });
+            }
+            field.curves.push(at);
+        }
+        field
+    }
+
+    pub(crate) fn of_plain(curves: &'a [Plain], samples: usize) -> Self {
+        let boxed = |c: &'a Plain| -> Box<dyn Fn(f64) -> DVec2 + 'a> { Box::new(|t| c.point(t)) };
+        Self::new(curves.iter().map(|c| (boxed(c), samples)))
+    }
+
+    /// Distance of `point` from the nearest point of all curves.
+    pub(crate) fn distance(&self, point: DVec2) -> f64 {
+        let mut sampled = f64::INFINITY;
+        for block in &self.blocks {
+            sampled = sampled.min(block.center.distance(point) + block.radius);
+        }
+        let mut candidates = Vec::new();
+        for block in &self.blocks {
+            if block.center.distance(point) - block.radius > sampled {
+                continue;
+            }
+            let mut distances = [f64::INFINITY; 17];
+            for (distance, sample) in distances.iter_mut().zip(&block.points) {
+                *distance = sample.distance(point);
+            }
+            for (i, &here) in distances.iter().enumerate() {
+                let before = if i > 0 { distances[i - 1] } else { f64::INFINITY };
+                let after = distances.get(i + 1).copied().unwrap_or(f64::INFINITY);
+                if here <= before && here <= after && here <= sampled + block.gap {
+                    sampled = sampled.min(here);
+                    candidates.push((here, block, i));
+                }
+            }
+        }
+        let mut best = sampled;
+        for (here, block, i) in candidates {
+            if here <= sampled + block.gap {
+                let t = block.from + i as f64 * block.step;
+                let (low, high) = ((t - block.step).max(0.0), (t + block.step).min(1.0));
+                let at = |t: f64| self.curves[block.curve](t).distance(point);
+                best = best.min(golden_minimum(at, low, high));
+            }
+        }
+        best
+    }
+}
+
+/// The least value of a function with one minimum in `[low, high]`.
+pub(crate) fn golden_minimum(f: impl Fn(f64) -> f64, low: f64, high: f64) -> f64 {
+    let ratio = 0.5 * (5.0_f64.sqrt() - 1.0);
+    let (mut a, mut b) = (low, high);
+    let (mut c, mut d) = (b - ratio * (b - a), a + ratio * (b - a));
+    let (mut at_c, mut at_d) = (f(c), f(d));
+    let mut best = f(low).min(f(high));
+    for _ in 0..55 {
+        best = best.min(at_c).min(at_d);
+        if at_c < at_d {
+            (b, d, at_d) = (d, c, at_c);
+            c = b - ratio * (b - a);
+            at_c = f(c);
+        } else {
+            (a, c, at_c) = (c, d, at_d);
+            d = a + ratio * (b - a);
+            at_d = f(d);
+        }
+    }
+    best.min(at_c).min(at_d)
+}
