@@ -1,4 +1,0 @@
-import init, { version } from "g41";
-
-await init();
-document.querySelector("output")?.append(version());

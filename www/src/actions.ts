@@ -1,0 +1,96 @@
+// What can be done to the document: each action is one step of the history.
+
+import { canDelete, deletePoint, insertPoint, movePoint, setKind } from "./edits";
+import type { Example } from "./examples";
+import { type Point, roundTo } from "./geometry";
+import type { Settings } from "./parameters";
+import { locate, type Part, type PointRef, type SegmentKind } from "./part";
+import { rewrite, withSide } from "./program-text";
+import { NO_PART, type Store } from "./state";
+
+/** The finest step of a coordinate [mm]: what a program can write. */
+const FINEST = 0.001;
+
+/** Opens an example; it can be undone like any edit. */
+export function openExample(store: Store, example: Example): void {
+  const settings = { ...store.document.settings, ...example.settings };
+  store.edit({ text: example.text, part: NO_PART, partText: "", settings }, undefined, undefined);
+  store.set({ corner: undefined, selection: undefined, chosen: undefined });
+}
+
+/** Moves a point; the steps of one gesture are undone together. */
+export function move(store: Store, ref: PointRef, to: Point, gesture: string, step = FINEST): void {
+  const rounded: Point = [roundTo(to[0], step), roundTo(to[1], step)];
+  const now = locate(store.document.part, ref);
+  if (!now || (now[0] === rounded[0] && now[1] === rounded[1])) return;
+  apply(store, movePoint(store.document.part, ref, rounded), ref.contour, gesture, ref);
+}
+
+/** Inserts a point on a segment and selects it. */
+export function insert(
+  store: Store,
+  contour: number,
+  segment: number,
+  at: Point,
+  before: number,
+): void {
+  const rounded: Point = [roundTo(at[0], FINEST), roundTo(at[1], FINEST)];
+  const { part, ref } = insertPoint(store.document.part, contour, segment, rounded, before);
+  apply(store, part, contour, undefined, ref);
+}
+
+/** Deletes the selected point. */
+export function deleteSelected(store: Store): void {
+  const { selection } = store.state;
+  if (!selection || !canDelete(store.document.part, selection)) return;
+  const part = deletePoint(store.document.part, selection);
+  apply(store, part, selection.contour, undefined, neighbour(part, selection));
+}
+
+/** Changes the segment of the selected point into another kind. */
+export function changeKind(store: Store, ref: PointRef, kind: SegmentKind): void {
+  const part = setKind(store.document.part, ref, kind);
+  const role = kind === "spline" ? "type" : kind === "arc" ? "middle" : "end";
+  const wanted: PointRef = { ...ref, role, index: 0 };
+  const kept = locate(part, wanted) ? wanted : { ...wanted, role: "start" as const, segment: -1 };
+  apply(store, part, ref.contour, undefined, kept);
+}
+
+/** Changes the text; `gesture` joins what is typed in one go. */
+export function setText(store: Store, text: string, gesture?: string): void {
+  if (text !== store.document.text) store.edit({ text }, gesture);
+}
+
+/** Changes the side of all contours in the text. */
+export function setSide(store: Store, side: "left" | "right"): void {
+  const { text, part } = store.document;
+  setText(store, withSide(text, part, side));
+}
+
+/** Changes settings; `gesture` joins the steps of one slide. */
+export function setSettings(store: Store, change: Partial<Settings>, gesture?: string): void {
+  store.edit({ settings: { ...store.document.settings, ...change } }, gesture);
+}
+
+function apply(
+  store: Store,
+  part: Part,
+  contour: number,
+  gesture: string | undefined,
+  selection: PointRef | undefined,
+): void {
+  if (store.document.partText !== store.document.text) return;
+  const written = rewrite(store.document.text, part, contour);
+  store.edit({ ...written, partText: written.text }, gesture, selection);
+}
+
+/** The point that takes the place of a deleted one. */
+function neighbour(part: Part, ref: PointRef): PointRef | undefined {
+  const candidates: PointRef[] = [
+    ref,
+    { ...ref, index: ref.index - 1 },
+    { ...ref, role: "end", index: 0 },
+    { ...ref, role: "end", segment: ref.segment - 1, index: 0 },
+  ];
+  return candidates.find((candidate) => locate(part, candidate));
+}

@@ -1,0 +1,109 @@
+// The static layer: grid, material, swept area, contour and tool path.
+
+import type { Result } from "../result";
+import type { Size, View } from "../view";
+import { toScreen } from "../view";
+import { type Context, inMillimetres, mark, strokeLine } from "./canvas";
+import { drawGrid, drawScale } from "./grid";
+import type { Palette } from "./palette";
+import { type ClosedShape, type Shapes, shapesOf } from "./shapes";
+import { transitionLine, transitionPlace } from "./transition";
+
+/** Larger than any part [mm]: what is not pocket is material out to here. */
+const FAR = 1e5;
+
+/** What the static layer shows. */
+export interface BaseScene {
+  readonly view: View;
+  readonly size: Size;
+  readonly palette: Palette;
+  readonly result: Result | undefined;
+}
+
+/** Draws the static layer. */
+export function drawBase(context: Context, { view, size, palette, result }: BaseScene): void {
+  drawGrid(context, view, size, palette);
+  if (result) {
+    const shapes = shapesOf(result);
+    const radius = Math.abs(result.settings.radius);
+    inMillimetres(context, view, (px) => {
+      drawMaterial(context, shapes, result, palette, px, radius);
+      drawPath(context, shapes, palette, px);
+    });
+    drawTransitions(context, view, result, palette);
+  }
+  drawScale(context, view, size, palette);
+}
+
+/** Fills what should stay, and over it what the tool sweeps: red where it cuts what should stay. */
+function drawMaterial(
+  context: Context,
+  shapes: Shapes,
+  result: Result,
+  palette: Palette,
+  px: number,
+  radius: number,
+): void {
+  const material = new Path2D();
+  for (const closed of shapes.closed) {
+    if (!liesInside(closed, result)) material.rect(-FAR, -FAR, 2 * FAR, 2 * FAR);
+    material.addPath(closed.path);
+  }
+  context.fillStyle = palette.material;
+  context.fill(material, "evenodd");
+  context.lineJoin = "round";
+  context.lineCap = "round";
+  if (radius > 0) {
+    context.strokeStyle = palette.swept;
+    context.lineWidth = 2 * radius;
+    context.stroke(shapes.cut);
+    // A pixel and a half less than the tool, or every edge that is cut right would show red.
+    if (shapes.closed.length > 0 && 2 * radius > 6 * px) {
+      context.save();
+      context.clip(material, "evenodd");
+      context.strokeStyle = palette.gouged;
+      context.lineWidth = 2 * radius - 3 * px;
+      context.stroke(shapes.cut);
+      context.restore();
+    }
+  }
+  context.lineWidth = 2.25 * px;
+  context.strokeStyle = palette.contour;
+  context.stroke(shapes.contour);
+}
+
+/** Whether the workpiece is what a closed contour encloses. */
+function liesInside({ area, contour }: ClosedShape, { contours, settings }: Result): boolean {
+  const left = (contours[contour]?.side ?? "left") === "left";
+  return left === settings.radius >= 0 ? area < 0 : area > 0;
+}
+
+function drawPath(context: Context, shapes: Shapes, palette: Palette, px: number): void {
+  context.lineWidth = px;
+  context.strokeStyle = palette.free;
+  context.setLineDash([2 * px, 4 * px]);
+  context.stroke(shapes.rapids);
+  context.lineWidth = 1.5 * px;
+  context.strokeStyle = palette.path;
+  context.setLineDash([6 * px, 4 * px]);
+  context.stroke(shapes.leads);
+  context.setLineDash([]);
+  context.lineWidth = 1.75 * px;
+  context.stroke(shapes.cut);
+}
+
+function drawTransitions(context: Context, view: View, result: Result, palette: Palette): void {
+  context.save();
+  context.lineCap = "butt";
+  for (const transition of result.transitions) {
+    const style = palette.kinds[transition.kind];
+    const line = transitionLine(transition, result).map((point) => toScreen(view, point));
+    if (transition.kind === "shortened") strokeLine(context, line, style.color, 1.25, [2, 3]);
+    else strokeLine(context, line, style.color, 4, style.dash);
+  }
+  for (const transition of result.transitions) {
+    const place = toScreen(view, transitionPlace(transition, result));
+    mark(context, palette.kinds[transition.kind], place, 4.5, palette.paper);
+  }
+  context.restore();
+}

@@ -1,0 +1,153 @@
+// A transition and its construction: where it lies, and how its points were found.
+
+import type { Transition } from "g41";
+import {
+  along,
+  angleOf,
+  arcSweep,
+  between,
+  direction,
+  distance,
+  onCircle,
+  type Point,
+  perp,
+} from "../geometry";
+import type { Result } from "../result";
+import { toScreen, type View } from "../view";
+import { type Context, dot, label, strokeLine } from "./canvas";
+import type { Palette } from "./palette";
+
+/** The line along which the offsets are joined, or for a shortened corner what is cut away. */
+export function transitionLine(transition: Transition, result: Result): Point[] {
+  const { P, N1, N2, V, A1, A2 } = transition.construction;
+  if (!N1 || !N2 || !P) return [];
+  if (A1 && A2) return [N1, A1, A2, N2];
+  if (V) return [N1, V, N2];
+  if (transition.kind === "shortened") return [];
+  return cornerArc(P, N1, N2, isLeft(transition, result));
+}
+
+/** Where on the tool path a transition is marked. */
+export function transitionPlace(transition: Transition, result: Result): Point {
+  const { P, N1, N2, V, A1, A2 } = transition.construction;
+  if (V) return V;
+  if (A1 && A2) return between(A1, A2, 0.5);
+  if (!P || !N1 || !N2) return transition.corner;
+  if (transition.kind !== "shortened") {
+    const arc = cornerArc(P, N1, N2, isLeft(transition, result));
+    return arc[Math.floor(arc.length / 2)] ?? transition.corner;
+  }
+  // A lead-in ends beside the start of the contour, a lead-out begins beside its end.
+  return isOnPath(N2, result) ? N2 : N1;
+}
+
+/** The tangents T1 and T2 at a corner. */
+export function tangents(transition: Transition, result: Result): [Point, Point] | undefined {
+  const { P, N1, N2 } = transition.construction;
+  if (!P || !N1 || !N2 || distance(P, N1) === 0) return undefined;
+  // n = σ perp(T), hence T = −σ perp(n).
+  const sign = isLeft(transition, result) ? -1 : 1;
+  return [along([0, 0], perp(direction(P, N1)), sign), along([0, 0], perp(direction(P, N2)), sign)];
+}
+
+/** Draws how the points of a transition were found: normals, tangents, vertex and angle. */
+export function drawConstruction(
+  context: Context,
+  view: View,
+  palette: Palette,
+  transition: Transition,
+  result: Result,
+): void {
+  const { P, N1, N2, V, A1, A2 } = transition.construction;
+  const both = tangents(transition, result);
+  if (!P || !N1 || !N2 || !both) return;
+  const color = palette.kinds[transition.kind].color;
+  const screen = (point: Point) => toScreen(view, point);
+  const line = (points: Point[], width: number, dash: number[] = [], ink = color) =>
+    strokeLine(context, points.map(screen), ink, width, dash);
+  line([N1, P, N2], 1.25, [], palette.muted);
+  if (A1 && A2) {
+    line([P, A1], 1.25, [4, 3]);
+    line([P, A2], 1.25, [4, 3]);
+  }
+  if (V) line([P, V], 2);
+  line(transitionLine(transition, result), 1.5);
+  drawAngle(context, view, palette, transition, result, both);
+  const named = Object.entries(transition.construction);
+  const center = screen(P);
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  for (const [name, point] of named) {
+    const at = screen(point);
+    context.lineWidth = 1.5;
+    dot(context, at, 3.25, palette.paper, name === "P" ? palette.ink : color);
+  }
+  for (const [name, point] of named) {
+    const at = screen(point);
+    const away = name === "P" ? inwards(both) : outwards(center, at);
+    label(context, name, along(at, away, 15), palette.ink, palette.paper);
+  }
+}
+
+/** The arc of the angle α, on the side of the workpiece, and its value. */
+function drawAngle(
+  context: Context,
+  view: View,
+  palette: Palette,
+  transition: Transition,
+  result: Result,
+  [, t2]: [Point, Point],
+): void {
+  const [x, y] = toScreen(view, transition.corner);
+  const { P, N1 } = transition.construction;
+  const reach = P && N1 ? distance(P, N1) * view.scale : 30;
+  const radius = Math.min(34, Math.max(16, reach * 0.6));
+  const turn = isLeft(transition, result) ? -transition.angle : transition.angle;
+  const first = Math.atan2(t2[1], t2[0]);
+  context.beginPath();
+  context.arc(x, y, radius, -first, -(first + turn), turn > 0);
+  context.strokeStyle = palette.ink;
+  context.lineWidth = 1.25;
+  context.stroke();
+  const middle = first + turn / 2;
+  const text = `α ${((transition.angle * 180) / Math.PI).toFixed(1)}°`;
+  context.textAlign =
+    Math.abs(Math.cos(middle)) < 0.4 ? "center" : Math.cos(middle) > 0 ? "left" : "right";
+  context.textBaseline = "middle";
+  const at: Point = [x + (radius + 9) * Math.cos(middle), y - (radius + 9) * Math.sin(middle)];
+  label(context, text, at, palette.ink, palette.paper);
+}
+
+function outwards(from: Point, to: Point): Point {
+  const d = direction(from, to);
+  return d[0] === 0 && d[1] === 0 ? [0, -1] : d;
+}
+
+/** On the canvas, the direction from a corner in which nothing of its construction lies. */
+function inwards([t1, t2]: [Point, Point]): Point {
+  const d = direction([0, 0], [t1[0] + t2[0], -(t1[1] + t2[1])]);
+  return d[0] === 0 && d[1] === 0 ? [0, 1] : d;
+}
+
+function cornerArc(center: Point, from: Point, to: Point, clockwise: boolean): Point[] {
+  const sweep = arcSweep(from, to, center, clockwise);
+  const count = 24;
+  return Array.from({ length: count + 1 }, (_, i) =>
+    onCircle(center, distance(center, from), angleOf(center, from) + (sweep * i) / count),
+  );
+}
+
+/** Whether the tool runs to the left at a transition. */
+function isLeft(transition: Transition, { contours, settings }: Result): boolean {
+  const block = "block" in transition.origin ? transition.origin.block : 0;
+  const own = contours.find(({ blocks }) => block >= blocks[0] && block <= blocks[1]);
+  return ((own ?? contours[0])?.side !== "right") === settings.radius >= 0;
+}
+
+function isOnPath(point: Point, { path }: Result): boolean {
+  for (let i = 0; i + 1 < path.points.length; i += 2) {
+    const [x, y] = [path.points[i] as number, path.points[i + 1] as number];
+    if (Math.abs(x - point[0]) + Math.abs(y - point[1]) < 1e-3) return true;
+  }
+  return false;
+}

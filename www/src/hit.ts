@@ -1,0 +1,93 @@
+// What lies under the pointer: segments of contours, places on the tool path, corners.
+
+import { transitionPlace } from "./draw/transition";
+import { distance, nearestOnLine, type Point } from "./geometry";
+import type { Part } from "./part";
+import type { Lines, Result } from "./result";
+
+/** The nearest place on polylines. */
+export interface Nearest {
+  readonly point: Point;
+  /** The move or segment it belongs to. */
+  readonly owner: number;
+  readonly distance: number;
+  /** Index of the vertex at the end of the chord it lies on, and the place on that chord. */
+  readonly vertex: number;
+  readonly t: number;
+}
+
+/** The place on polylines that is nearest to a point. */
+export function nearestOn(lines: Lines, p: Point): Nearest | undefined {
+  const starts = new Set(lines.starts);
+  let best: Nearest | undefined;
+  for (let i = 1; 2 * i + 1 < lines.points.length; i += 1) {
+    if (starts.has(i)) continue;
+    const near = nearestOnLine(p, vertexOf(lines, i - 1), vertexOf(lines, i));
+    const d = distance(near.point, p);
+    if (best && d >= best.distance) continue;
+    best = { ...near, owner: lines.owners[i] as number, distance: d, vertex: i };
+  }
+  return best;
+}
+
+/** The contour and segment of an index that counts through all contours. */
+export function segmentAt(
+  part: Part,
+  index: number,
+): { contour: number; segment: number } | undefined {
+  let rest = index;
+  for (const [contour, { segments }] of part.contours.entries()) {
+    if (rest < segments.length) return { contour, segment: rest };
+    rest -= segments.length;
+  }
+  return undefined;
+}
+
+/** The index of a segment, counted through all contours. */
+export function indexOf(part: Part, contour: number, segment: number): number {
+  return part.contours
+    .slice(0, contour)
+    .reduce((sum, { segments }) => sum + segments.length, segment);
+}
+
+/** Before which type point of a spline a place on it lies. */
+export function typePointAfter(lines: Lines, near: Nearest, points: readonly Point[]): number {
+  // Each type point is a place on the spline: those before the vertex are passed.
+  let from = near.vertex;
+  while (from > 1 && lines.owners[from - 1] === near.owner) from -= 1;
+  let at = from;
+  for (const [k, point] of points.entries()) {
+    while (lines.owners[at] === near.owner && distance(vertexOf(lines, at), point) > 1e-3) at += 1;
+    if (lines.owners[at] !== near.owner) return k;
+    if (at >= near.vertex) return k;
+  }
+  return Math.max(0, points.length - 1);
+}
+
+/** The index of the transition nearest to a point, by its corner or its place on the tool path. */
+export function nearestCorner(result: Result, p: Point, within: number): number | undefined {
+  let best: number | undefined;
+  let least = within;
+  result.transitions.forEach((transition, i) => {
+    const place = transitionPlace(transition, result);
+    const d = Math.min(distance(transition.corner, p), distance(place, p));
+    if (d < least) {
+      least = d;
+      best = i;
+    }
+  });
+  return best;
+}
+
+/** The transition that is most worth showing first: an inserted one, else an elongated one. */
+export function showpiece(result: Result): number | undefined {
+  for (const kind of ["inserted", "elongated", "shortened"]) {
+    const index = result.transitions.findIndex((transition) => transition.kind === kind);
+    if (index >= 0) return index;
+  }
+  return undefined;
+}
+
+function vertexOf(lines: Lines, i: number): Point {
+  return [lines.points[2 * i] as number, lines.points[2 * i + 1] as number];
+}

@@ -1,0 +1,97 @@
+// The page: state → worker → result → picture, and controls that change the state.
+
+import "./style.css";
+import { openExample } from "./actions";
+import { ComputeClient } from "./compute-client";
+import { EXAMPLES } from "./examples";
+import { showpiece } from "./hit";
+import { connectKeys } from "./keyboard";
+import { codePanel } from "./panels/code-panel";
+import { description } from "./panels/description";
+import { diagnosticsPanel } from "./panels/diagnostics-panel";
+import { element, find } from "./panels/elements";
+import { legend } from "./panels/legend";
+import { parametersPanel } from "./panels/parameters-panel";
+import { toolbar } from "./panels/toolbar";
+import { INITIAL_SETTINGS } from "./parameters";
+import { locate } from "./part";
+import { connectPointers } from "./pointer";
+import { partOf } from "./program-text";
+import type { Result } from "./result";
+import { connectScheme } from "./scheme";
+import { Stage } from "./stage";
+import { NO_PART, Store } from "./state";
+import { toWorld } from "./view";
+
+const first = EXAMPLES[0];
+if (!first) throw new Error("the gallery is empty");
+
+const store = new Store({
+  text: first.text,
+  part: NO_PART,
+  partText: "",
+  settings: { ...INITIAL_SETTINGS, ...first.settings },
+});
+
+const readout = find("readout");
+const stage = new Stage(find("stage"), store, (view, pointer) => {
+  const digits = Math.min(3, Math.max(0, Math.ceil(Math.log10(view.scale))));
+  const at = pointer && toWorld(view, pointer);
+  readout.textContent = at ? `X ${at[0].toFixed(digits)}  Y ${at[1].toFixed(digits)}` : "";
+});
+
+/** Takes what the worker found, and derives what the page needs of it. */
+function take(result: Result): void {
+  if (store.document.text === result.text && store.document.partText !== result.text) {
+    store.amend({ part: partOf(result.text, result.contours), partText: result.text });
+  }
+  const known = store.state.corner;
+  const corner =
+    known === undefined || known >= result.transitions.length ? showpiece(result) : known;
+  store.set({ result, failure: undefined, corner: cornerOfSelection(result) ?? corner });
+}
+
+/** The transition at the selected point. */
+function cornerOfSelection(result: Result): number | undefined {
+  const { selection } = store.state;
+  const at = selection && locate(store.document.part, selection);
+  if (!at) return undefined;
+  const index = result.transitions.findIndex(
+    ({ corner }) => Math.hypot(corner[0] - at[0], corner[1] - at[1]) < 2e-3,
+  );
+  return index < 0 ? undefined : index;
+}
+
+const client = new ComputeClient(take, (message) => store.set({ failure: message }));
+store.subscribe((state, before) => {
+  const { text, settings } = state.history.present;
+  const old = before.history.present;
+  if (text !== old.text || settings !== old.settings) client.ask({ text, settings });
+  if (state.selection !== before.selection && state.result) {
+    const corner = cornerOfSelection(state.result);
+    if (corner !== undefined && corner !== state.corner) store.set({ corner });
+  }
+});
+
+connectPointers(stage, store);
+connectKeys(stage, store);
+toolbar(find("toolbar"), stage, store);
+parametersPanel(find("parameters"), store);
+const showLine = codePanel(store);
+diagnosticsPanel(find("diagnostics"), stage, store, showLine);
+legend(find("legend"), store);
+description(find("description"), store);
+connectScheme(find("scheme"), (scheme) => stage.setScheme(scheme));
+
+const menu = find<HTMLSelectElement>("example");
+for (const { id, name, note } of EXAMPLES) {
+  menu.append(element("option", { value: id, title: note }, name));
+}
+menu.addEventListener("change", () => {
+  const example = EXAMPLES.find(({ id }) => id === menu.value);
+  if (!example) return;
+  stage.fitNext();
+  openExample(store, example);
+});
+
+client.ask({ text: store.document.text, settings: store.document.settings });

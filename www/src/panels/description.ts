@@ -1,0 +1,50 @@
+// The state in words, for those who do not see the picture.
+
+import { format } from "../expression";
+import { describePoint, locate } from "../part";
+import type { State, Store } from "../state";
+
+/** Changes that follow each other faster are told once [ms]. */
+const PAUSE = 500;
+
+/** Keeps a live region true to the state. */
+export function description(region: HTMLElement, store: Store): void {
+  let timer = 0;
+  store.subscribe((state, before) => {
+    if (state.result === before.result && state.selection === before.selection) return;
+    clearTimeout(timer);
+    timer = window.setTimeout(() => {
+      region.textContent = describe(store.state);
+    }, PAUSE);
+  });
+}
+
+/** One paragraph about what the picture shows. */
+export function describe({ result, selection, history, failure }: State): string {
+  if (failure) return failure;
+  if (!result) return "Loading.";
+  const { part, settings } = history.present;
+  const sentences = part.contours.map(({ segments, side }, i) => {
+    const name = part.contours.length > 1 ? `Contour ${i + 1}` : "The contour";
+    const kinds = (["line", "arc", "spline"] as const).flatMap((kind) => {
+      const count = segments.filter((segment) => segment.kind === kind).length;
+      return count > 0 ? [`${count} ${kind}${count > 1 ? "s" : ""}`] : [];
+    });
+    return `${name} has ${kinds.join(", ")}; the tool runs on its ${side}.`;
+  });
+  sentences.push(`Tool radius ${format(settings.radius)} mm.`);
+  const count = (kind: string) => result.transitions.filter((each) => each.kind === kind).length;
+  sentences.push(
+    `Transitions: ${count("shortened")} shortened, ${count("elongated")} elongated, ${count("inserted")} inserted.`,
+  );
+  const { diagnostics } = result;
+  if (diagnostics.length > 0) {
+    const first = diagnostics[0]?.message ?? "";
+    sentences.push(`${diagnostics.length} diagnostics, the first: ${first}.`);
+  }
+  const at = selection && locate(part, selection);
+  if (selection && at) {
+    sentences.unshift(`${describePoint(part, selection)}: x ${format(at[0])}, y ${format(at[1])}.`);
+  }
+  return sentences.join(" ");
+}

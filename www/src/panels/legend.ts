@@ -1,0 +1,48 @@
+// The legend: what the lines and marks of the picture mean, and how many corners take each kind.
+
+import type { Transition } from "g41";
+import type { Store } from "../state";
+import { element } from "./elements";
+
+/** Lines and marks as in the picture, in a box of 34 by 14; colours come from the style sheet. */
+const SWATCHES: readonly (readonly [name: string, kind: string, drawing: string])[] = [
+  ["Contour", "contour", '<path d="M1 7h32" stroke-width="2.25"/>'],
+  ["Tool path", "path", '<path d="M1 7h32" stroke-width="1.75"/>'],
+  ["Lead-in, lead-out", "lead", '<path d="M1 7h32" stroke-width="1.5" stroke-dasharray="6 4"/>'],
+  [
+    "Shortened",
+    "shortened",
+    '<path d="M1 7h32" stroke-width="1.25" stroke-dasharray="2 3"/><rect x="13" y="3" width="8" height="8"/>',
+  ],
+  [
+    "Elongated",
+    "elongated",
+    '<path d="M1 7h32" stroke-width="4" stroke-dasharray="9 4"/><path class="solid" d="m17 1.5 5.5 5.5-5.5 5.5L11.5 7z"/>',
+  ],
+  [
+    "Inserted",
+    "inserted",
+    '<path d="M1 7h32" stroke-width="4" stroke-dasharray="3 3"/><path class="solid" d="m17 2 5.5 9.5h-11z"/>',
+  ],
+];
+
+/** Fills the legend and counts the transitions in it. */
+export function legend(list: HTMLElement, store: Store): void {
+  const counts = new Map<string, HTMLElement>();
+  for (const [name, kind, drawing] of SWATCHES) {
+    const item = element("li", { class: `swatch swatch-${kind}` });
+    item.innerHTML = `<svg viewBox="0 0 34 14" width="34" height="14" aria-hidden="true">${drawing}</svg>`;
+    const count = element("small");
+    counts.set(kind, count);
+    item.append(element("span", {}, name), count);
+    list.append(item);
+  }
+  store.subscribe(({ result }, before) => {
+    if (!result || result === before.result) return;
+    for (const kind of ["shortened", "elongated", "inserted"] satisfies Transition["kind"][]) {
+      const count = result.transitions.filter((transition) => transition.kind === kind).length;
+      const place = counts.get(kind);
+      if (place) place.textContent = String(count);
+    }
+  });
+}

@@ -1,0 +1,75 @@
+// The controls of the parameters, made from their table.
+
+import { setSettings, setSide } from "../actions";
+import { clampParameter, type NumberParameter, PARAMETERS, type Settings } from "../parameters";
+import type { Store } from "../state";
+import { Choice, element } from "./elements";
+import { NumberField } from "./number-field";
+
+/** Fills the form of parameters and keeps it true to the state. */
+export function parametersPanel(form: HTMLElement, store: Store): void {
+  form.addEventListener("submit", (event) => event.preventDefault());
+  const shows = PARAMETERS.map((parameter) => {
+    const row = element("div", {
+      class: `parameter parameter-${parameter.key}`,
+      title: parameter.hint,
+    });
+    form.append(row);
+    if (parameter.kind === "number") return numberRow(row, parameter, store);
+    const { key, label, choices } = parameter;
+    const choice = new Choice(key, label, choices, (value) => {
+      if (key === "side") setSide(store, value as "left" | "right");
+      else setSettings(store, { [key]: value } as Partial<Settings>);
+    });
+    row.append(choice.root);
+    return () => {
+      const side = store.document.part.contours[0]?.side ?? store.state.result?.contours[0]?.side;
+      choice.show(key === "side" ? side : store.document.settings[key]);
+    };
+  });
+  const show = () => {
+    for (const each of shows) each();
+  };
+  store.subscribe((state, before) => {
+    if (state.history !== before.history || state.result !== before.result) show();
+  });
+  show();
+}
+
+function numberRow(row: HTMLElement, parameter: NumberParameter, store: Store): () => void {
+  const { key, label, unit, slider } = parameter;
+  const enter = (value: number, gesture?: string) => {
+    const clamped = clampParameter(parameter, value);
+    if (clamped !== undefined) setSettings(store, { [key]: clamped }, gesture);
+  };
+  const field = new NumberField({
+    label,
+    unit,
+    step: slider?.step ?? parameter.step,
+    digits: 4,
+    onValue: enter,
+  });
+  row.append(field.root);
+  const range = slider && element("input", { type: "range", ...slider, "aria-label": label });
+  if (range) {
+    let slides = 0;
+    range.addEventListener("pointerdown", () => {
+      slides += 1;
+    });
+    range.addEventListener("input", () => enter(range.valueAsNumber, `slide ${slides}`));
+    range.addEventListener("change", () => store.settle());
+    row.append(range);
+  }
+  return () => {
+    const value = store.document.settings[key];
+    field.show(value);
+    if (range && document.activeElement !== range) range.value = String(value);
+    else if (range && range.valueAsNumber !== value) range.value = String(value);
+    if (range) {
+      const share =
+        (range.valueAsNumber - Number(range.min)) / (Number(range.max) - Number(range.min));
+      range.style.setProperty("--share", `${share * 100}%`);
+      range.setAttribute("aria-valuetext", `${value} ${unit}`);
+    }
+  };
+}

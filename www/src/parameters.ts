@@ -1,0 +1,107 @@
+// The one table of parameters that the controls are made of.
+
+/** The values of all parameters that are not part of the program. */
+export interface Settings {
+  /** Tool radius [mm]. */
+  readonly radius: number;
+  readonly corner: "linear" | "arc";
+  readonly spline: "exact" | "type-points";
+  /** How far the path may be from the true equidistant [mm]. */
+  readonly tolerance: number;
+}
+
+/** A parameter that is a number. */
+export interface NumberParameter {
+  readonly kind: "number";
+  readonly key: "radius" | "tolerance";
+  readonly label: string;
+  readonly unit: string;
+  readonly min: number;
+  readonly max: number;
+  readonly step: number;
+  /** The range of the slider; without it there is none. */
+  readonly slider?: { readonly min: number; readonly max: number; readonly step: number };
+  readonly hint: string;
+}
+
+/** A parameter that is one of a few words. */
+export interface ChoiceParameter {
+  readonly kind: "choice";
+  /** The side is a word of the program, all else are settings. */
+  readonly key: "side" | "corner" | "spline";
+  readonly label: string;
+  readonly choices: readonly { value: string; label: string; detail?: string }[];
+  readonly hint: string;
+}
+
+/** One row of the table. */
+export type Parameter = NumberParameter | ChoiceParameter;
+
+/** Where everything begins. */
+export const INITIAL_SETTINGS: Settings = {
+  radius: 3,
+  corner: "linear",
+  spline: "exact",
+  tolerance: 0.001,
+};
+
+/** The table of parameters. */
+export const PARAMETERS: readonly Parameter[] = [
+  {
+    kind: "number",
+    key: "radius",
+    label: "Tool radius",
+    unit: "mm",
+    min: 0,
+    max: 1000,
+    step: 0.001,
+    slider: { min: 0, max: 20, step: 0.1 },
+    hint: "Radius of the cutter",
+  },
+  {
+    kind: "choice",
+    key: "side",
+    label: "Side",
+    choices: [
+      { value: "left", label: "Left", detail: "G41" },
+      { value: "right", label: "Right", detail: "G42" },
+    ],
+    hint: "The side of the contour on which the tool runs, seen along its motion",
+  },
+  {
+    kind: "choice",
+    key: "corner",
+    label: "Outside corners",
+    choices: [
+      { value: "linear", label: "Linear" },
+      { value: "arc", label: "Arc" },
+    ],
+    hint: "What is inserted at an outside corner: straight moves or an arc",
+  },
+  {
+    kind: "choice",
+    key: "spline",
+    label: "Splines",
+    choices: [
+      { value: "exact", label: "Exact" },
+      { value: "type-points", label: "Type points" },
+    ],
+    hint: "Exact: the equidistant within the tolerance. Type points: the spline through the moved type points",
+  },
+  {
+    kind: "number",
+    key: "tolerance",
+    label: "Tolerance",
+    unit: "mm",
+    min: 0.0001,
+    max: 1,
+    step: 0.0001,
+    hint: "How far the tool path may be from the true equidistant",
+  },
+];
+
+/** A number within the range of its parameter; undefined for what is not a number. */
+export function clampParameter(parameter: NumberParameter, value: number): number | undefined {
+  if (!Number.isFinite(value)) return undefined;
+  return Math.min(parameter.max, Math.max(parameter.min, value));
+}

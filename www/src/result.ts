@@ -1,0 +1,103 @@
+// What goes to the worker and what comes back: plain data, with geometry in typed arrays.
+
+import type { Diagnostic, ProgrammedContour, Transition } from "g41";
+import type { Settings } from "./parameters";
+
+/** Polylines in one piece of memory; see `Polylines` of the package. */
+export interface Lines {
+  /** x0, y0, x1, y1, … [mm] */
+  readonly points: Float64Array;
+  /** Index of the first vertex of each piece. */
+  readonly starts: Uint32Array;
+  /** For each vertex, the move or segment that the chord ending there belongs to. */
+  readonly owners: Uint32Array;
+}
+
+/** One request to the worker. */
+export interface Request {
+  readonly id: number;
+  readonly text: string;
+  readonly settings: Settings;
+}
+
+/** What a request gave. */
+export interface Result {
+  readonly id: number;
+  /** The text that was compensated. */
+  readonly text: string;
+  readonly settings: Settings;
+  readonly contours: readonly ProgrammedContour[];
+  /** The programmed contours; owners count segments through all contours. */
+  readonly programmed: Lines;
+  /** The tool path; owners are moves. */
+  readonly path: Lines;
+  /** The moves, `stride` numbers each. */
+  readonly records: Float64Array;
+  readonly stride: number;
+  readonly transitions: readonly Transition[];
+  readonly diagnostics: readonly Diagnostic[];
+  /** The tool path as a program for a controller. */
+  readonly gcode: string;
+  /** How long reading and compensating took [ms]. */
+  readonly milliseconds: number;
+}
+
+/** What the worker answers. */
+export type Reply =
+  | { readonly kind: "result"; readonly result: Result }
+  | { readonly kind: "failure"; readonly id: number; readonly message: string };
+
+/** What a move is there for, as `records()` numbers it. */
+export enum MoveRole {
+  Segment = 0,
+  Transition = 1,
+  LeadIn = 2,
+  LeadOut = 3,
+  Free = 4,
+}
+
+/** Places of numbers in one record. */
+export const FIELD = { kind: 0, role: 1, block: 4, from: 9, to: 12 } as const;
+
+/** The kind of a rapid move in a record. */
+export const RAPID = 0;
+
+/** The role of a move. */
+export function roleOf(result: Result, move: number): MoveRole {
+  return result.records[move * result.stride + FIELD.role] as MoveRole;
+}
+
+/** The line of the text that a move comes from. */
+export function lineOfMove(result: Result, move: number): number | undefined {
+  const block = result.records[move * result.stride + FIELD.block];
+  return block === undefined || Number.isNaN(block) ? undefined : block;
+}
+
+/** Calls `visit` for each run of vertices with one owner, first vertex included. */
+export function forRuns(
+  lines: Lines,
+  visit: (owner: number, first: number, last: number) => void,
+): void {
+  const count = lines.points.length / 2;
+  lines.starts.forEach((start, piece) => {
+    const end = lines.starts[piece + 1] ?? count;
+    let first = start;
+    for (let i = start + 1; i < end; i += 1) {
+      const owner = lines.owners[i] as number;
+      if (i + 1 === end || lines.owners[i + 1] !== owner) {
+        visit(owner, first, i);
+        first = i;
+      }
+    }
+  });
+}
+
+/** What tells a diagnostic from the others, also when it is found again. */
+export function keyOf({ code, message, origin }: Diagnostic): string {
+  return `${code} ${message} ${JSON.stringify(origin)}`;
+}
+
+/** The line of the text that a diagnostic is about. */
+export function lineOf({ origin }: Diagnostic): number | undefined {
+  return origin && "block" in origin ? origin.block : undefined;
+}

@@ -1,0 +1,246 @@
+// The stage: two canvases, one above the other, that show the state in the current view.
+
+import { drawBase } from "./draw/base";
+import { drawOverlay } from "./draw/overlay";
+import { DARK, LIGHT, type Palette } from "./draw/palette";
+import { transitionPlace } from "./draw/transition";
+import { distance, type Point } from "./geometry";
+import { indexOf, nearestCorner, nearestOn } from "./hit";
+import { type Handle, handles, linesOf, locate, type PointRef, segmentAtLine } from "./part";
+import type { State, Store } from "./state";
+import { boxOf, fitted, panned, type Size, toScreen, toWorld, type View, zoomed } from "./view";
+
+/** How near the pointer must be to the tool path for the tool to follow it [px]. */
+const TOOL_REACH = 70;
+/** How near the pointer must be to a corner to show its construction [px]. */
+const CORNER_REACH = 44;
+/** Room around the part [px]. */
+const MARGIN = 56;
+
+/** Shows the state on a pair of canvases. */
+export class Stage {
+  readonly overlay: HTMLCanvasElement;
+  #base: HTMLCanvasElement;
+  #store: Store;
+  #view: View = { scale: 4, x: 100, y: 300 };
+  #size: Size = { width: 1, height: 1 };
+  #palette: Palette = LIGHT;
+  #baseStale = true;
+  #frame = 0;
+  #fitWanted = true;
+  #pointer: Point | undefined;
+  #hover: PointRef | undefined;
+  #hoverSegment: number | undefined;
+  #touch = false;
+  #onView: (view: View, pointer: Point | undefined) => void;
+
+  constructor(
+    element: HTMLElement,
+    store: Store,
+    onView: (view: View, pointer: Point | undefined) => void,
+  ) {
+    this.#base = element.querySelector<HTMLCanvasElement>("canvas.base") as HTMLCanvasElement;
+    this.overlay = element.querySelector<HTMLCanvasElement>("canvas.overlay") as HTMLCanvasElement;
+    // Keys go to the drawing, not to the reading cursor of a screen reader.
+    this.overlay.setAttribute("role", "application");
+    this.overlay.setAttribute("aria-roledescription", "drawing");
+    this.#store = store;
+    this.#onView = onView;
+    new ResizeObserver(() => this.#resize()).observe(element);
+    store.subscribe((state, before) => this.#changed(state, before));
+    for (const name of ["focus", "blur"]) this.overlay.addEventListener(name, () => this.redraw());
+  }
+
+  /** The view as it is. */
+  get view(): View {
+    return this.#view;
+  }
+
+  /** The size of the canvas [px]. */
+  get size(): Size {
+    return this.#size;
+  }
+
+  /** Chooses the light or the dark palette. */
+  setScheme(scheme: "light" | "dark"): void {
+    this.#palette = scheme === "dark" ? DARK : LIGHT;
+    this.#redrawAll();
+  }
+
+  /** Shows the whole part, as soon as it is known. */
+  fit(): void {
+    const { result } = this.#store.state;
+    const box = result && boxOf(result.programmed.points, result.path.points);
+    if (!box || this.#size.width < 2) {
+      this.#fitWanted = true;
+      return;
+    }
+    this.#fitWanted = false;
+    const small = Math.min(this.#size.width, this.#size.height) < 480;
+    const margin = small ? 32 : MARGIN;
+    this.#setView(
+      fitted(box, this.#size, {
+        left: margin + 16,
+        right: margin,
+        top: margin,
+        bottom: margin + 16,
+      }),
+    );
+  }
+
+  /** Shows the next result as a whole. */
+  fitNext(): void {
+    this.#fitWanted = true;
+  }
+
+  /** Moves the picture [px]. */
+  pan(dx: number, dy: number): void {
+    this.#setView(panned(this.#view, dx, dy));
+  }
+
+  /** Scales the picture about a point of the canvas, by default its middle. */
+  zoom(factor: number, at: Point = [this.#size.width / 2, this.#size.height / 2]): void {
+    this.#setView(zoomed(this.#view, at, factor));
+  }
+
+  /** Brings a point into sight. */
+  reveal(point: Point): void {
+    const [x, y] = toScreen(this.#view, point);
+    const { width, height } = this.#size;
+    const [mx, my] = [width * 0.12, height * 0.12];
+    const dx = x < mx ? mx - x : x > width - mx ? width - mx - x : 0;
+    const dy = y < my ? my - y : y > height - my ? height - my - y : 0;
+    if (dx !== 0 || dy !== 0) this.pan(dx, dy);
+  }
+
+  /** Tells where the pointer is, and what it is over. */
+  point(
+    pointer: Point | undefined,
+    hover: PointRef | undefined,
+    segment: number | undefined,
+    touch: boolean,
+  ): void {
+    this.#pointer = pointer;
+    this.#hover = hover;
+    this.#hoverSegment = segment;
+    this.#touch = touch;
+    const { result, corner } = this.#store.state;
+    if (result && pointer) {
+      const reach = CORNER_REACH / this.#view.scale;
+      const near = nearestCorner(result, toWorld(this.#view, pointer), reach);
+      if (near !== undefined && near !== corner) this.#store.set({ corner: near });
+    }
+    this.#onView(this.#view, pointer);
+    this.redraw();
+  }
+
+  /** The points that can be moved now. */
+  handles(): Handle[] {
+    const { text, part, partText } = this.#store.document;
+    return text === partText ? handles(part) : [];
+  }
+
+  /** Draws the live layer with the next frame. */
+  redraw(): void {
+    this.#frame ||= requestAnimationFrame(() => this.#draw());
+  }
+
+  #changed(state: State, before: State): void {
+    if (state.result !== before.result) {
+      this.#baseStale = true;
+      if (this.#fitWanted && state.result && state.result.text === this.#store.document.text) {
+        this.fit();
+      }
+    }
+    this.redraw();
+  }
+
+  #redrawAll(): void {
+    this.#baseStale = true;
+    this.redraw();
+  }
+
+  #setView(view: View): void {
+    this.#view = view;
+    this.#onView(view, this.#pointer);
+    this.#redrawAll();
+  }
+
+  #resize(): void {
+    const { clientWidth: width, clientHeight: height } = this.overlay;
+    const before = this.#size;
+    this.#size = { width, height };
+    const ratio = devicePixelRatio || 1;
+    for (const canvas of [this.#base, this.overlay]) {
+      canvas.width = Math.round(width * ratio);
+      canvas.height = Math.round(height * ratio);
+    }
+    if (before.width < 2) this.fit();
+    else
+      this.#setView(panned(this.#view, (width - before.width) / 2, (height - before.height) / 2));
+    this.#baseStale = true;
+    cancelAnimationFrame(this.#frame);
+    this.#draw();
+  }
+
+  #draw(): void {
+    this.#frame = 0;
+    const { result } = this.#store.state;
+    const common = { view: this.#view, size: this.#size, palette: this.#palette, result };
+    if (this.#baseStale) {
+      this.#baseStale = false;
+      drawBase(context(this.#base), common);
+    }
+    drawOverlay(context(this.overlay), {
+      ...common,
+      handles: this.handles(),
+      selection: this.#store.state.selection,
+      hover: this.#hover,
+      focused: document.activeElement === this.overlay,
+      touch: this.#touch,
+      corner: this.#store.state.corner,
+      tool: this.#toolPlace(),
+      ...this.#highlight(),
+      chosen: this.#store.state.chosen,
+    });
+  }
+
+  /** The tool stands at the corner that is shown, or follows the pointer along its path. */
+  #toolPlace(): Point | undefined {
+    const { result, corner } = this.#store.state;
+    if (!result) return undefined;
+    const transition = corner === undefined ? undefined : result.transitions[corner];
+    const place = transition && transitionPlace(transition, result);
+    if (!this.#pointer) return place;
+    const pointer = toWorld(this.#view, this.#pointer);
+    if (place && distance(place, pointer) * this.#view.scale < 16) return place;
+    const near = nearestOn(result.path, pointer);
+    return near && near.distance * this.#view.scale < TOOL_REACH ? near.point : place;
+  }
+
+  #highlight(): { segment: number | undefined; lines: readonly number[] } {
+    const { part } = this.#store.document;
+    const { selection, caret } = this.#store.state;
+    const own = (contour: number, segment: number) => ({
+      segment: indexOf(part, contour, segment),
+      lines: linesOf(part.contours[contour]?.segments[segment] ?? { kind: "spline", points: [] }),
+    });
+    if (caret !== undefined) {
+      const found = segmentAtLine(part, caret);
+      return found ? own(found.contour, found.segment) : { segment: undefined, lines: [caret] };
+    }
+    if (this.#hoverSegment !== undefined) return { segment: this.#hoverSegment, lines: [] };
+    if (selection && selection.segment >= 0 && locate(part, selection)) {
+      return own(selection.contour, selection.segment);
+    }
+    return { segment: undefined, lines: [] };
+  }
+}
+
+function context(canvas: HTMLCanvasElement): CanvasRenderingContext2D {
+  const found = canvas.getContext("2d");
+  if (!found) throw new Error("this browser cannot draw on a canvas");
+  const ratio = canvas.width / Math.max(1, canvas.clientWidth);
+  found.setTransform(ratio, 0, 0, ratio, 0, 0);
+  return found;
+}
