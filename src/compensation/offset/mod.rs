@@ -5,6 +5,7 @@
 //! offset runs against the curve.
 
 mod arc;
+mod bend;
 mod cusps;
 mod fit;
 mod line;

@@ -11,11 +11,12 @@ use std::f64::consts::PI;
 use glam::DVec2;
 
 use super::Bend;
+use super::bend::{Tight, bends};
 use super::cusps::{cusps, room};
 use super::fit::Source;
 use super::proof::is_proved;
 use crate::contour::MoveCurve;
-use crate::geometry::{Arc, Cubic, MIN_LENGTH, Spline, perp};
+use crate::geometry::{Arc, Cubic, MIN_LENGTH, Spline};
 
 /// Parameters of a piece at which its error is measured where it cannot be proved. The error of a
 /// Hermite cubic is `t² (1 − t)²` times a smooth function, so these see its largest value but for
@@ -48,8 +49,7 @@ pub(in crate::compensation) fn offset_spline(
     tolerance: f64,
 ) -> SplineOffset {
     let mut pieces: Vec<MoveCurve> = Vec::with_capacity(spline.pieces().len());
-    // Stretches that the tool does not fit into, as (span, from, to).
-    let mut tight: Vec<(usize, f64, f64)> = Vec::new();
+    let mut tight: Vec<Tight> = Vec::new();
     for (span, cubic) in spline.pieces().iter().enumerate() {
         let halves = cut_at_standstill(cubic);
         for part in &halves {
@@ -58,7 +58,7 @@ pub(in crate::compensation) fn offset_spline(
                 let middle = 0.5 * (from + to);
                 let fits = room(&part.cubic, offset, middle) >= 0.0;
                 if !fits {
-                    tight.push((span, part.at(from), part.at(to)));
+                    tight.push(Tight { span, from: part.at(from), to: part.at(to) });
                 }
                 let source = Source { cubic: part.cubic.part(from, to), offset };
                 let piece = source.hermite();
@@ -181,62 +181,4 @@ fn join(from: DVec2, to: DVec2, cusp: DVec2, offset: f64, pieces: &mut Vec<MoveC
             pieces.push(MoveCurve::Arc(arc));
         }
     }
-}
-
-/// Depth and place of the gouge of every stretch that bends tighter than the tool.
-fn bends(spline: &Spline, offset: f64, tight: &[(usize, f64, f64)]) -> Vec<Bend> {
-    let mut found = Vec::new();
-    let mut i = 0;
-    while i < tight.len() {
-        // Stretches that continue over a type point are one bend.
-        let mut last = i;
-        while last + 1 < tight.len() && continues(tight[last], tight[last + 1]) {
-            last += 1;
-        }
-        found.push(bend(spline, offset, &tight[i..=last]));
-        i = last + 1;
-    }
-    found
-}
-
-fn continues(a: (usize, f64, f64), b: (usize, f64, f64)) -> bool {
-    (a.0 == b.0 && a.2 == b.1) || (a.0 + 1 == b.0 && a.2 == 1.0 && b.1 == 0.0)
-}
-
-/// Places of the tool examined for the depth of one bend.
-const DEPTH_SAMPLES: usize = 24;
-
-/// Depth and place of the gouge of one bend.
-///
-/// The tool cuts on both sides of the stretch too, as far as the tails of the offset reach: the
-/// spans beside it are examined with it, and searched for the nearest point.
-fn bend(spline: &Spline, offset: f64, tight: &[(usize, f64, f64)]) -> Bend {
-    let r = offset.abs();
-    let (first, last) = (tight[0].0, tight[tight.len() - 1].0);
-    let spans = first.saturating_sub(2)..(last + 3).min(spline.pieces().len());
-    let near = &spline.pieces()[spans];
-    let mut bend = Bend { at: spline.pieces()[first].point(tight[0].1), depth: 0.0, radius: r };
-    for &(span, from, to) in tight {
-        let cubic = &spline.pieces()[span];
-        for k in 0..=DEPTH_SAMPLES {
-            let t = from + (to - from) * k as f64 / DEPTH_SAMPLES as f64;
-            let tangent = cubic.tangent(t);
-            let center = cubic.point(t) + perp(tangent) * offset;
-            let curvature = cubic.curvature(t).abs();
-            if curvature > 0.0 {
-                bend.radius = bend.radius.min(1.0 / curvature);
-            }
-            for piece in near {
-                // Only what is nearer than the deepest so far can be cut deeper.
-                if piece.hull_bounds().distance(center) < r - bend.depth {
-                    let nearest = piece.nearest(center);
-                    if r - nearest.distance > bend.depth {
-                        bend.depth = r - nearest.distance;
-                        bend.at = nearest.point;
-                    }
-                }
-            }
-        }
-    }
-    bend
 }

@@ -1,0 +1,163 @@
+//! How deep a tool cuts in a bend that it does not fit into.
+//!
+//! Where `1 − δκ` is negative the offset runs backwards, between two cusps, and crosses itself
+//! beside them: a swallowtail. The tool cuts too deep all along it, deepest somewhere on the tails.
+
+use std::ops::Range;
+
+use super::Bend;
+use crate::geometry::{Cubic, Spline, perp};
+
+/// A stretch of a span that bends tighter than the tool.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Tight {
+    pub(super) span: usize,
+    pub(super) from: f64,
+    pub(super) to: f64,
+}
+
+/// Places of the tool examined on each span.
+const SAMPLES: usize = 6;
+
+/// Depth, as a part of the radius, below which a place counts as clear: rounding of the distance.
+const CLEAR: f64 = 1e-9;
+
+/// Steps of the search for the deepest place between three samples: each keeps 0.618 of it.
+const SEARCH_STEPS: usize = 12;
+
+/// Depth and place of the gouge of every bend.
+pub(super) fn bends(spline: &Spline, offset: f64, tight: &[Tight]) -> Vec<Bend> {
+    // Stretches that continue over a type point are one bend.
+    tight
+        .chunk_by(|a, b| {
+            (a.span == b.span && a.to == b.from)
+                || (a.span + 1 == b.span && a.to == 1.0 && b.from == 0.0)
+        })
+        .map(|stretches| bend(spline, offset, stretches))
+        .collect()
+}
+
+fn bend(spline: &Spline, offset: f64, tight: &[Tight]) -> Bend {
+    let core = tight[0].span..tight[tight.len() - 1].span + 1;
+    let around = Around { pieces: spline.pieces(), offset, core };
+    let window = around.window();
+    let at = spline.pieces()[tight[0].span].point(tight[0].from);
+    let mut deepest = Cut { depth: 0.0, at };
+    let mut place = None;
+    for span in window.clone() {
+        for k in 0..SAMPLES {
+            let t = (k as f64 + 0.5) / SAMPLES as f64;
+            if let Some(cut) = around.cut(&window, span, t, deepest.depth) {
+                deepest = cut;
+                place = Some((span, t));
+            }
+        }
+    }
+    if let Some((span, t)) = place {
+        around.refine(&window, span, t, &mut deepest);
+    }
+    Bend { at: deepest.at, depth: deepest.depth, radius: sharpest(spline, tight) }
+}
+
+/// A place of the contour and how deep it is cut [mm].
+#[derive(Debug, Clone, Copy)]
+struct Cut {
+    depth: f64,
+    at: glam::DVec2,
+}
+
+/// The spans of a spline around one bend, and the tool beside them.
+struct Around<'a> {
+    pieces: &'a [Cubic],
+    offset: f64,
+    /// The spans that bend too tightly.
+    core: Range<usize>,
+}
+
+impl Around<'_> {
+    /// The spans that the tool cuts, or cuts from, in this bend: grown on both sides until the tool
+    /// beside the last ones is clear, and by half as much again.
+    fn window(&self) -> Range<usize> {
+        let (core, count) = (&self.core, self.pieces.len());
+        let mut window = core.clone();
+        loop {
+            let grown = window.start.saturating_sub(1)..(window.end + 1).min(count);
+            let cuts = [grown.start, grown.end - 1].into_iter().any(|span| {
+                (0..SAMPLES).any(|k| {
+                    let t = (k as f64 + 0.5) / SAMPLES as f64;
+                    self.cut(&grown, span, t, self.offset.abs() * CLEAR).is_some()
+                })
+            });
+            let beside = (core.start - grown.start).max(grown.end - core.end);
+            if grown == window || (!cuts && beside > 2) {
+                let more = beside / 2;
+                return grown.start.saturating_sub(more)..(grown.end + more).min(count);
+            }
+            window = grown;
+        }
+    }
+
+    /// The cut of the tool beside `t` of `span`, if it is deeper than `known` [mm].
+    ///
+    /// Beside the bend only what lies on it or beyond it counts: what the tool cuts on its own side
+    /// belongs to another bend.
+    fn cut(&self, window: &Range<usize>, span: usize, t: f64, known: f64) -> Option<Cut> {
+        let facing = if span < self.core.start {
+            self.core.start..window.end
+        } else if span >= self.core.end {
+            window.start..self.core.end
+        } else {
+            window.clone()
+        };
+        let r = self.offset.abs();
+        let own = &self.pieces[span];
+        let center = own.point(t) + perp(own.tangent(t)) * self.offset;
+        let mut reach = r - known;
+        let mut cut = None;
+        for piece in &self.pieces[facing] {
+            if piece.hull_bounds().distance(center) < reach {
+                let nearest = piece.nearest(center);
+                if nearest.distance < reach {
+                    reach = nearest.distance;
+                    cut = Some(Cut { depth: r - reach, at: nearest.point });
+                }
+            }
+        }
+        cut
+    }
+
+    /// Improves the deepest of some samples by golden-section search beside it.
+    fn refine(&self, window: &Range<usize>, span: usize, t: f64, deepest: &mut Cut) {
+        const KEEP: f64 = 0.618_033_988_749_894_8;
+        let step = 1.0 / SAMPLES as f64;
+        let (mut from, mut to) = ((t - step).max(0.0), (t + step).min(1.0));
+        for _ in 0..SEARCH_STEPS {
+            let (left, right) = (to - KEEP * (to - from), from + KEEP * (to - from));
+            let at = |t| self.cut(window, span, t, 0.0);
+            let depth = |cut: Option<Cut>| cut.map_or(0.0, |cut| cut.depth);
+            let (at_left, at_right) = (at(left), at(right));
+            for cut in [at_left, at_right].into_iter().flatten() {
+                if cut.depth > deepest.depth {
+                    *deepest = cut;
+                }
+            }
+            if depth(at_left) > depth(at_right) {
+                to = right;
+            } else {
+                from = left;
+            }
+        }
+    }
+}
+
+/// Smallest radius of curvature of some stretches [mm].
+fn sharpest(spline: &Spline, tight: &[Tight]) -> f64 {
+    let mut curvature = 0.0_f64;
+    for stretch in tight {
+        for k in 0..=SAMPLES {
+            let t = stretch.from + (stretch.to - stretch.from) * k as f64 / SAMPLES as f64;
+            curvature = curvature.max(spline.pieces()[stretch.span].curvature(t).abs());
+        }
+    }
+    1.0 / curvature
+}
