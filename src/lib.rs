@@ -95,3 +95,4 @@ pub mod geometry;
 #[cfg(feature = "js")]
 pub mod js;
 pub mod program;
+pub mod simulation;

@@ -6,7 +6,9 @@
 
 mod auxiliary;
 mod block;
+mod block_writer;
 mod course;
+mod emit;
 mod g_words;
 mod interpret;
 mod lexer;
@@ -21,5 +23,6 @@ mod words;
 
 pub use block::{Block, Word};
 pub use course::{Item, ProgrammedContour, RadiusSource};
+pub use emit::{EmitOptions, Emitted, Target, emit};
 pub use interpret::{Interpretation, interpret};
 pub use reader::{Dialect, Program};

@@ -1,0 +1,275 @@
+//! Writing a tool path as a plain program: G0, G1, G2 and G3.
+//!
+//! Coordinates are rounded first and everything else follows from what was written: the centre of
+//! an arc is given from its start as written, so that rounding does not add up and no control
+//! finds its radii to disagree. Cubics become arcs and lines within a tolerance, over as long a
+//! run of them as possible. G41, G42, D and H words have done their work and do not appear.
+
+use glam::DVec2;
+
+use super::block_writer::{BlockWriter, SCALE, units};
+use crate::contour::{Move, MoveCurve, ToolPath};
+use crate::diagnostic::{Diagnostic, Origin};
+use crate::geometry::{Arc, ArcOrLine, Cubic, fit_arcs};
+
+/// For whom a program is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Target {
+    /// grbl, and with it every controller that reads plain G-code in millimetres.
+    #[default]
+    Grbl,
+}
+
+/// How a program is written.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EmitOptions {
+    /// For whom.
+    pub target: Target,
+    /// Largest distance of arcs and lines from the cubics they stand for [mm].
+    pub tolerance: f64,
+    /// Feed of moves for which none is programmed [mm/s].
+    pub feed: Option<f64>,
+}
+
+impl Default for EmitOptions {
+    fn default() -> Self {
+        Self { target: Target::default(), tolerance: 0.001, feed: None }
+    }
+}
+
+/// A program as written.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Emitted {
+    /// The text.
+    pub text: String,
+    /// What was found on the way.
+    pub diagnostics: Vec<Diagnostic>,
+}
+
+/// Finest tolerance for cubics [mm]: a tenth of the last digit written.
+const MIN_TOLERANCE: f64 = 1e-5;
+
+/// Arcs of less radius are written as lines [mm]: five units of the last digit have no shape.
+const MIN_RADIUS: f64 = 5e-4;
+
+/// Arcs that bulge less than half a unit of the last digit are lines [mm]. Among them are all
+/// whose sweep a control in single precision could take for zero, and so for a full circle.
+const MIN_SAGITTA: f64 = 5e-5;
+
+/// Arcs beyond three quarters of a circle whose ends are nearer than this are written as two
+/// [mm]: rounding, or a control in single precision, could take them for a full circle or nothing.
+const NEARLY_FULL: f64 = 0.01;
+
+/// Writes a tool path as a program.
+#[must_use]
+pub fn emit(path: &ToolPath, options: &EmitOptions) -> Emitted {
+    let Target::Grbl = options.target;
+    let mut emitter = Emitter {
+        out: BlockWriter::new("G21 G90 G17 G94"),
+        tolerance: options.tolerance.max(MIN_TOLERANCE),
+        feed: options.feed,
+        at: [0.0; 3],
+        diagnostics: Vec::new(),
+    };
+    let mut words = path.words.iter().peekable();
+    let mut i = 0;
+    while i <= path.moves.len() {
+        while let Some(passed) = words.next_if(|words| words.before <= i || i == path.moves.len()) {
+            emitter.out.words(&passed.words);
+        }
+        let Some(first) = path.moves.get(i) else { break };
+        let until = words.peek().map_or(path.moves.len(), |words| words.before);
+        let run = cubic_run(path.moves.get(i..until).unwrap_or_default());
+        emitter.approach(first, i == 0);
+        if run.len() > 1 {
+            emitter.cubics(&run, first, first.z);
+            i += run.len();
+        } else {
+            emitter.one(first);
+            i += 1;
+        }
+        if let Some(last) = path.moves.get(i - 1) {
+            emitter.at = last.curve.end().extend(last.z[1]).to_array();
+        }
+    }
+    Emitted { text: emitter.out.finish(), diagnostics: emitter.diagnostics }
+}
+
+/// The cubics at the beginning of `moves` that can be written as one curve.
+fn cubic_run(moves: &[Move]) -> Vec<Cubic> {
+    let mut run: Vec<Cubic> = Vec::new();
+    let Some(first) = moves.first() else { return run };
+    for next in moves {
+        let alike = next.role == first.role
+            && next.rapid == first.rapid
+            && next.feed == first.feed
+            && next.z == [first.z[0]; 2];
+        match next.curve {
+            MoveCurve::Cubic(cubic)
+                if alike && run.last().is_none_or(|last| last.end() == cubic.start()) =>
+            {
+                run.push(cubic);
+            }
+            _ => break,
+        }
+    }
+    run
+}
+
+struct Emitter {
+    out: BlockWriter,
+    tolerance: f64,
+    feed: Option<f64>,
+    /// Where the tool is [mm], not rounded.
+    at: [f64; 3],
+    diagnostics: Vec<Diagnostic>,
+}
+
+impl Emitter {
+    /// Goes to where `next` starts, if the tool is not there.
+    fn approach(&mut self, next: &Move, is_first: bool) {
+        let start = next.curve.start();
+        let away = start.extend(next.z[0]).distance(self.at.into()) > 1.0 / SCALE;
+        // A program says itself how the tool comes to its first move; a plain contour does not.
+        let unsaid = is_first && matches!(next.origin, Origin::Segment(_));
+        if !away && !unsaid {
+            return;
+        }
+        if !is_first {
+            self.report_once(
+                Diagnostic::warning("rapid-between-pieces", "the path goes on elsewhere")
+                    .with_origin(next.origin)
+                    .with_point(start)
+                    .with_hint(
+                        "a rapid move at the same height stands between; see that it is free",
+                    ),
+            );
+        }
+        self.out.state_position();
+        self.out.rapid(units(start), units_of(next.z[0]));
+    }
+
+    fn one(&mut self, next: &Move) {
+        let [z0, z1] = next.z;
+        let (end, z) = (units(next.curve.end()), units_of(z1));
+        if next.rapid {
+            let total = next.curve.length();
+            let mut points = Vec::new();
+            if !matches!(next.curve, MoveCurve::Line(_) | MoveCurve::Vertical(_)) {
+                next.curve.flatten(self.tolerance, |point| points.push(point));
+                points.pop();
+            }
+            let mut from = next.curve.start();
+            let mut run = 0.0;
+            for point in points {
+                run += from.distance(point);
+                from = point;
+                self.out.rapid(units(point), units_of(z0 + (z1 - z0) * (run / total).min(1.0)));
+            }
+            self.out.rapid(end, z);
+            return;
+        }
+        match next.curve {
+            MoveCurve::Line(_) | MoveCurve::Vertical(_) => {
+                self.set_feed(next);
+                self.out.line(end, z);
+            }
+            MoveCurve::Arc(arc) => {
+                self.set_feed(next);
+                self.arc(&arc, next.z);
+            }
+            MoveCurve::Cubic(cubic) => self.cubics(&[cubic], next, next.z),
+        }
+    }
+
+    /// Cubics of one height, or one cubic that climbs.
+    fn cubics(&mut self, cubics: &[Cubic], like: &Move, [z0, z1]: [f64; 2]) {
+        if like.rapid {
+            for cubic in cubics {
+                self.one(&Move { curve: MoveCurve::Cubic(*cubic), ..*like });
+            }
+            return;
+        }
+        self.set_feed(like);
+        let pieces = fit_arcs(cubics, self.tolerance);
+        let length = |piece: &ArcOrLine| match piece {
+            ArcOrLine::Arc(arc) => arc.length(),
+            ArcOrLine::Line(line) => line.length(),
+        };
+        let total: f64 = pieces.iter().map(length).sum();
+        let mut run = 0.0;
+        let mut z = z0;
+        for piece in &pieces {
+            run += length(piece);
+            let to = z0 + (z1 - z0) * (run / total);
+            match piece {
+                ArcOrLine::Arc(arc) => self.arc(arc, [z, to]),
+                ArcOrLine::Line(line) => self.out.line(units(line.end()), units_of(to)),
+            }
+            z = to;
+        }
+        // A cubic that comes to a point, and whatever rounding left over.
+        if let Some(last) = cubics.last() {
+            self.out.line(units(last.end()), units_of(z1));
+        }
+    }
+
+    /// An arc as one block, as two, or as a line where it has no shape at this resolution.
+    fn arc(&mut self, arc: &Arc, [z0, z1]: [f64; 2]) {
+        let (end, z) = (units(arc.end()), units_of(z1));
+        let (radius, sweep) = (arc.radius(), arc.sweep());
+        let sagitta = radius * (1.0 - (0.5 * sweep).cos());
+        if radius < MIN_RADIUS || (sweep.abs() < 1.0 && sagitta < MIN_SAGITTA) {
+            self.out.line(end, z);
+            return;
+        }
+        let start = self.out.position();
+        if arc.is_full_circle() {
+            self.out.arc(arc.is_clockwise(), start, z, units(arc.center() - in_mm(start)));
+            return;
+        }
+        let center = in_mm(units(arc.center() - in_mm(start))) + in_mm(start);
+        let written =
+            Arc::from_center(in_mm(start), in_mm(end), center, arc.is_clockwise(), f64::INFINITY);
+        // Rounding moves the ends by parts of a radian at most; more is a turn gained or lost.
+        let keeps_its_sweep = written.is_ok_and(|w| (w.sweep() - sweep).abs() < 1.0);
+        let nearly_full = sweep.abs() > 4.7 && in_mm(start).distance(in_mm(end)) < NEARLY_FULL;
+        if keeps_its_sweep && !nearly_full {
+            self.out.arc(arc.is_clockwise(), end, z, units(arc.center() - in_mm(start)));
+        } else if let (true, Ok((first, second))) = (sweep.abs() > 1.0, arc.split(0.5)) {
+            let middle = 0.5 * (z0 + z1);
+            self.arc(&first, [z0, middle]);
+            self.arc(&second, [middle, z1]);
+        } else {
+            self.out.line(end, z);
+        }
+    }
+
+    fn set_feed(&mut self, next: &Move) {
+        if let Some(feed) = next.feed.or(self.feed) {
+            self.out.set_feed(feed);
+        } else if !self.out.has_feed() {
+            self.report_once(
+                Diagnostic::warning("no-feed", "no feed is programmed for this move")
+                    .with_origin(next.origin)
+                    .with_point(next.curve.start())
+                    .with_hint("add an F word, or choose a feed"),
+            );
+        }
+    }
+
+    fn report_once(&mut self, diagnostic: Diagnostic) {
+        if self.diagnostics.iter().all(|found| found.code != diagnostic.code) {
+            self.diagnostics.push(diagnostic);
+        }
+    }
+}
+
+/// A point as written [mm].
+fn in_mm([x, y]: [i64; 2]) -> DVec2 {
+    DVec2::new(x as f64 / SCALE, y as f64 / SCALE)
+}
+
+fn units_of(value: f64) -> i64 {
+    units(DVec2::new(value, 0.0))[0]
+}

@@ -1,0 +1,120 @@
+//! The tool path of a whole program: its contours compensated, everything else in its place.
+
+use glam::DVec2;
+
+use super::Tools;
+use crate::compensation::{Options, compensate};
+use crate::contour::{AuxiliaryWords, Move, MoveCurve, Role, Tool, ToolPath};
+use crate::diagnostic::{Diagnostic, Origin};
+use crate::geometry::{Line, MIN_LENGTH};
+use crate::program::{Interpretation, Item, ProgrammedContour, RadiusSource};
+
+/// The path of the tool centre through a whole program, rapid moves and words included, with
+/// what every stage found.
+///
+/// A contour whose tool has no radius is reported, and passes as if the radius were zero.
+#[must_use]
+pub fn compensate_program(
+    interpretation: &Interpretation,
+    tools: &Tools,
+    options: &Options,
+) -> ToolPath {
+    let mut course = Course::default();
+    course.path.diagnostics.clone_from(&interpretation.diagnostics);
+    for item in &interpretation.items {
+        match item {
+            Item::Free(free) => course.free(*free),
+            Item::Words { words, origin } => course.path.words.push(AuxiliaryWords {
+                before: course.path.moves.len(),
+                words: words.clone(),
+                origin: *origin,
+            }),
+            Item::Contour(programmed) => course.contour(programmed, tools, options),
+        }
+    }
+    course.path
+}
+
+/// The path as it grows.
+#[derive(Default)]
+struct Course {
+    path: ToolPath,
+}
+
+impl Course {
+    /// Where the tool is, once it has moved [mm].
+    fn position(&self) -> Option<DVec2> {
+        self.path.moves.last().map(|last| last.curve.end())
+    }
+
+    /// Where the tool is, if that is not `start`.
+    fn elsewhere(&self, start: DVec2) -> Option<DVec2> {
+        self.position().filter(|at| at.distance(start) > MIN_LENGTH)
+    }
+
+    /// A move without compensation. After a contour without a lead-out the tool is not where the
+    /// program is, and goes on from there.
+    fn free(&mut self, free: Move) {
+        let start = free.curve.start();
+        let Some(at) = self.elsewhere(start) else {
+            self.path.moves.push(free);
+            return;
+        };
+        let curve = match free.curve {
+            MoveCurve::Vertical(_) => MoveCurve::Vertical(at),
+            MoveCurve::Line(line) => match Line::new(at, line.end()) {
+                Ok(line) => MoveCurve::Line(line),
+                Err(_) => MoveCurve::Vertical(at),
+            },
+            MoveCurve::Arc(_) | MoveCurve::Cubic(_) => {
+                self.join(at, &free, Role::Free);
+                free.curve
+            }
+        };
+        self.path.moves.push(Move { curve, ..free });
+    }
+
+    fn contour(&mut self, programmed: &ProgrammedContour, tools: &Tools, options: &Options) {
+        let origin = Origin::Block { line: programmed.blocks[0], number: None, column: None };
+        let tool = self.tool(programmed, tools, origin);
+        let compensated = compensate(&programmed.contour, tool, options);
+        if let Some(first) = compensated.moves.first()
+            && let Some(at) = self.elsewhere(first.curve.start())
+        {
+            self.join(at, first, Role::Transition);
+        }
+        self.path.append(compensated);
+    }
+
+    /// A straight move to where `next` starts.
+    fn join(&mut self, from: DVec2, next: &Move, role: Role) {
+        if let Ok(line) = Line::new(from, next.curve.start()) {
+            let z = [next.z[0]; 2];
+            self.path.moves.push(Move { curve: MoveCurve::Line(line), role, z, ..*next });
+        }
+    }
+
+    /// The tool of a contour; one without radius where it is not known.
+    fn tool(&mut self, programmed: &ProgrammedContour, tools: &Tools, origin: Origin) -> Tool {
+        let radius = match programmed.radius {
+            RadiusSource::Given(radius) => Some(radius),
+            RadiusSource::Tool(number) => tools.radius(number),
+        };
+        let known = radius.and_then(|radius| Tool::new(radius, programmed.side));
+        known.unwrap_or_else(|| {
+            let message = match programmed.radius {
+                RadiusSource::Tool(number) if radius.is_none() => {
+                    format!("the radius of tool {number} is not known")
+                }
+                _ => format!("{} mm is no radius of a tool", radius.unwrap_or(f64::NAN)),
+            };
+            self.path.diagnostics.push(
+                Diagnostic::error("missing-radius", message)
+                    .with_origin(origin)
+                    .with_point(programmed.contour.start())
+                    .with_hint("give the radius of the tool, or one for all tools; until then nothing is compensated"),
+            );
+            Tool::new(0.0, programmed.side).expect("zero is a radius")
+        })
+    }
+}
