@@ -17,6 +17,16 @@ pub enum ArcOrLine {
     Line(Line),
 }
 
+impl ArcOrLine {
+    /// Where it ends [mm].
+    fn end(&self) -> DVec2 {
+        match self {
+            Self::Arc(arc) => arc.end(),
+            Self::Line(line) => line.end(),
+        }
+    }
+}
+
 /// Turn between successive cubics from which on they count as a kink [rad]. Joints of C2 splines
 /// and of their offsets stay far below, corners of contours far above.
 const KINK: f64 = 1e-4;
@@ -33,22 +43,29 @@ const CHECKED_FRACTION: f64 = 0.92;
 const SHARP: f64 = 1.0;
 
 /// Largest radius written as an arc [mm]; flatter ones are lines if the tolerance allows. Controls
-/// compute centres in single precision or in micrometres, where such arcs go wrong.
-const MAX_RADIUS: f64 = 1e5;
+/// compute centres in single precision, which is good to half a micrometre here.
+const MAX_RADIUS: f64 = 1e4;
+
+/// Least tolerance as a share of a cubic's length, so that their number stays below a few
+/// thousand a cubic; it is 0.1 µm for a metre.
+const LEAST_SHARE: f64 = 1e-7;
 
 /// Arcs and lines from the start to the end of `cubics`, each within `tolerance` [mm] of them.
 ///
-/// The cubics must follow each other; the pieces do. The distance is checked at sixteen points a
+/// The cubics must follow each other; each piece starts exactly where the one before it ends, the
+/// first at the start, the last ends at the end. The distance is checked at sixteen points a
 /// cubic, not proved.
 #[must_use]
 pub fn fit_arcs(cubics: &[Cubic], tolerance: f64) -> Vec<ArcOrLine> {
     let mut pieces = Vec::new();
+    let Some(first) = cubics.first() else { return pieces };
+    let mut at = first.start();
     let mut from = 0;
     while from < cubics.len() {
         let smooth = (from + 1..cubics.len())
             .find(|&i| turn(cubics[i - 1].tangent(1.0), cubics[i].tangent(0.0)).abs() > KINK)
             .unwrap_or(cubics.len());
-        fit_smooth(&cubics[from..smooth], tolerance, &mut pieces);
+        at = fit_smooth(&cubics[from..smooth], at, tolerance, &mut pieces);
         from = smooth;
     }
     pieces
@@ -119,13 +136,22 @@ impl Stretch<'_> {
     }
 }
 
-/// Fits a chain without kinks.
-fn fit_smooth(cubics: &[Cubic], tolerance: f64, pieces: &mut Vec<ArcOrLine>) {
+/// Fits a chain without kinks from `at`, and returns where the pieces end.
+fn fit_smooth(
+    cubics: &[Cubic],
+    mut at: DVec2,
+    tolerance: f64,
+    pieces: &mut Vec<ArcOrLine>,
+) -> DVec2 {
     let end = cubics.len() as f64;
     let mut from = 0.0;
     let mut step = 1.0;
     while from < end {
-        let attempt = |to: f64| fit_stretch(&Stretch { cubics, from, to }, tolerance);
+        let attempt = |to: f64| {
+            let stretch = Stretch { cubics, from, to };
+            let least = LEAST_SHARE * stretch.locate(from).0.hull_length();
+            fit_stretch(&stretch, at, tolerance.max(least))
+        };
         let mut good: Option<(f64, Vec<ArcOrLine>)> = None;
         let mut bad = None;
         // Doubling while it works, halving until it does.
@@ -146,7 +172,7 @@ fn fit_smooth(cubics: &[Cubic], tolerance: f64, pieces: &mut Vec<ArcOrLine>) {
                 None => {
                     bad = Some(to);
                     step *= 0.5;
-                    if step < 1e-9 {
+                    if step < LEAST_SHARE {
                         break;
                     }
                 }
@@ -164,21 +190,29 @@ fn fit_smooth(cubics: &[Cubic], tolerance: f64, pieces: &mut Vec<ArcOrLine>) {
                 }
             }
         }
-        let Some((to, fit)) = good else {
-            // A stretch of 1e-9 of a cubic that nothing fits: a point at which the chain stands.
-            from += 1e-9_f64.max(step);
-            continue;
-        };
-        step = (to - from).max(1e-6);
-        pieces.extend(fit);
+        // A stretch that short is a line within the least tolerance, so something is good, unless
+        // the cubic is not made of numbers.
+        let (to, fit) = good.unwrap_or_else(|| ((from + 1.0).min(end), Vec::new()));
+        step = (to - from).max(LEAST_SHARE);
+        for piece in fit {
+            at = piece.end();
+            pieces.push(piece);
+        }
         from = to;
     }
+    // What was too short to be a line of its own.
+    let last = cubics[cubics.len() - 1].end();
+    if let Ok(rest) = Line::new(at, last) {
+        pieces.push(ArcOrLine::Line(rest));
+        at = last;
+    }
+    at
 }
 
-/// The line or biarc that follows the stretch, if one is near enough; nothing at all for a
-/// stretch too short to be a line.
-fn fit_stretch(stretch: &Stretch, tolerance: f64) -> Option<Vec<ArcOrLine>> {
-    let (start, start_tangent) = stretch.frame(stretch.from);
+/// The line or biarc from `start` that follows the stretch, if one is near enough; nothing at all
+/// for a stretch too short to be a line.
+fn fit_stretch(stretch: &Stretch, start: DVec2, tolerance: f64) -> Option<Vec<ArcOrLine>> {
+    let (_, start_tangent) = stretch.frame(stretch.from);
     let (end, end_tangent) = stretch.frame(stretch.to);
     let near = |pieces: Vec<ArcOrLine>| stretch.is_near(&pieces, tolerance).then_some(pieces);
     let Ok(chord) = Line::new(start, end) else {
@@ -228,4 +262,67 @@ fn tangent_arc(start: DVec2, tangent: DVec2, end: DVec2) -> Option<ArcOrLine> {
     let center = start + super::perp(tangent) * radius * across.signum();
     let arc = Arc::from_center(start, end, center, across < 0.0, f64::INFINITY).ok()?;
     Some(ArcOrLine::Arc(arc))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::geometry::MIN_LENGTH;
+
+    fn start(piece: &ArcOrLine) -> DVec2 {
+        match piece {
+            ArcOrLine::Arc(arc) => arc.start(),
+            ArcOrLine::Line(line) => line.start(),
+        }
+    }
+
+    fn assert_in_one_piece(cubics: &[Cubic], tolerance: f64) -> Vec<ArcOrLine> {
+        let pieces = fit_arcs(cubics, tolerance);
+        let mut at = cubics[0].start();
+        for piece in &pieces {
+            assert_eq!(start(piece), at, "{cubics:?} at {tolerance}");
+            at = piece.end();
+        }
+        let gap = at.distance(cubics[cubics.len() - 1].end());
+        assert!(gap < MIN_LENGTH, "{cubics:?} at {tolerance} ends {gap} mm short");
+        pieces
+    }
+
+    #[test]
+    fn pieces_follow_each_other_without_gaps_even_round_cusps_and_tiny_cubics() {
+        let p = DVec2::new;
+        let cusp = Cubic::new(p(0.0, 0.0), p(30.0, 20.0), p(0.0, 20.0), p(30.0, 0.0));
+        let still = Cubic::new(p(30.0, 0.0), p(30.0, 0.0), p(30.0, 0.0), p(30.0, 0.0));
+        let tiny = Cubic::new(p(30.0, 0.0), p(30.0, 1e-6), p(30.0, 2e-6), p(30.0, 3e-6));
+        let back = Cubic::new(p(30.0, 3e-6), p(40.0, 3e-6), p(40.0, 9.0), p(30.0, 9.0));
+        for tolerance in [1.0, 0.1, 1e-2, 1e-3, 1e-4, 1e-5] {
+            assert_in_one_piece(&[cusp], tolerance);
+            assert_in_one_piece(&[cusp, still, tiny, back], tolerance);
+            assert_in_one_piece(&[still], tolerance);
+            assert_in_one_piece(&[tiny], tolerance);
+        }
+    }
+
+    #[test]
+    fn a_huge_cubic_and_one_without_numbers_come_to_an_end() {
+        let p = DVec2::new;
+        let huge = Cubic::new(p(-1e9, 0.0), p(0.0, 1e9), p(0.0, -1e9), p(1e9, 0.0));
+        let pieces = assert_in_one_piece(&[huge], 1e-5);
+        assert!(pieces.len() < 5000, "{} pieces", pieces.len());
+        let none = Cubic::new(p(0.0, 0.0), p(f64::NAN, 1.0), p(1.0, 1.0), p(2.0, 0.0));
+        assert!(fit_arcs(&[none], 1e-3).len() < 100, "it ends");
+    }
+
+    #[test]
+    fn a_tenth_of_the_tolerance_costs_few_more_pieces() {
+        // A biarc deviates by the third power of its length: a tenth of the tolerance takes
+        // 10^(1/3) = 2.2 times as many.
+        let p = DVec2::new;
+        let s = Cubic::new(p(0.0, 0.0), p(20.0, 25.0), p(10.0, -25.0), p(30.0, 5.0));
+        let counts: Vec<usize> =
+            [0.1, 0.01, 0.001, 1e-4].iter().map(|&t| assert_in_one_piece(&[s], t).len()).collect();
+        for pair in counts.windows(2) {
+            assert!(pair[1] <= 3 * pair[0], "{counts:?}");
+        }
+    }
 }

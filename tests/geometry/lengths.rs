@@ -85,8 +85,7 @@ fn a_spline_is_as_long_as_its_spans() {
     let mut random = Random::new(32);
     for case in 0..15 {
         let spline = shapes::spline(&mut random, 20.0);
-        let spans: f64 =
-            spline.pieces().iter().map(|c| quadrature(&Plain::of_cubic(c), 256)).sum();
+        let spans: f64 = spline.pieces().iter().map(|c| quadrature(&Plain::of_cubic(c), 256)).sum();
         near(spline.length(), spans, 1e-7, &format!("case {case}"));
     }
 }
