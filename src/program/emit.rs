@@ -5,6 +5,8 @@
 //! finds its radii to disagree. Cubics become arcs and lines within a tolerance, over as long a
 //! run of them as possible. G41, G42, D and H words have done their work and do not appear.
 
+use std::f64::consts::PI;
+
 use glam::DVec2;
 
 use super::block_writer::{BlockWriter, SCALE, units};
@@ -228,14 +230,23 @@ impl Emitter {
             self.out.arc(arc.is_clockwise(), start, z, units(arc.center() - in_mm(start)));
             return;
         }
-        let center = in_mm(units(arc.center() - in_mm(start))) + in_mm(start);
+        let mut center = arc.center();
+        if sweep.abs() < PI && start != end {
+            // Equally far from both ends as written. Beyond half a circle their rounding would be
+            // magnified.
+            let chord = in_mm(end) - in_mm(start);
+            let middle = in_mm(start).midpoint(in_mm(end));
+            center -= chord * ((center - middle).dot(chord) / chord.length_squared());
+        }
+        let offset = units(center - in_mm(start));
+        let center = in_mm(start) + in_mm(offset);
         let written =
             Arc::from_center(in_mm(start), in_mm(end), center, arc.is_clockwise(), f64::INFINITY);
         // Rounding moves the ends by parts of a radian at most; more is a turn gained or lost.
         let keeps_its_sweep = written.is_ok_and(|w| (w.sweep() - sweep).abs() < 1.0);
         let nearly_full = sweep.abs() > 4.7 && in_mm(start).distance(in_mm(end)) < NEARLY_FULL;
         if keeps_its_sweep && !nearly_full {
-            self.out.arc(arc.is_clockwise(), end, z, units(arc.center() - in_mm(start)));
+            self.out.arc(arc.is_clockwise(), end, z, offset);
         } else if let (true, Ok((first, second))) = (sweep.abs() > 1.0, arc.split(0.5)) {
             let middle = 0.5 * (z0 + z1);
             self.arc(&first, [z0, middle]);
