@@ -1,0 +1,211 @@
+//! Bad input: whatever is read, there is an answer in bounded time, and never a panic.
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use g41::compensation::Options;
+use g41::contour::ToolPath;
+use g41::diagnostic::Diagnostic;
+use g41::program::{Dialect, EmitOptions, Emitted, Program, emit, interpret};
+use g41::simulation::{Tools, compensate_program};
+
+/// How many programs of each kind.
+const CASES: u64 = if cfg!(target_arch = "wasm32") { 200 } else { 2_000 };
+
+/// Length of the long ones [bytes].
+const LONG: usize = if cfg!(target_arch = "wasm32") { 500_000 } else { 5_000_000 };
+
+/// A seeded generator of the splitmix kind: short, and good enough to mix letters.
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> u64 {
+        self.0 = self.0.wrapping_add(0x9e37_79b9_7f4a_7c15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+        z ^ (z >> 31)
+    }
+
+    fn below(&mut self, end: u64) -> u64 {
+        self.next() % end
+    }
+
+    fn pick<'a>(&mut self, from: &[&'a str]) -> &'a str {
+        let index = usize::try_from(self.below(from.len() as u64)).expect("an index");
+        from[index]
+    }
+}
+
+/// Reads, interprets, compensates and writes.
+fn all_stages(text: &str) -> (ToolPath, Emitted) {
+    let read = interpret(&Program::parse(text, Dialect::Auto));
+    assert_bounded(&read.diagnostics);
+    let path = compensate_program(&read, &Tools::all(1.5), &Options::default());
+    let written = emit(&path, &EmitOptions::default());
+    (path, written)
+}
+
+/// At most a hundred diagnostics of a code, and none long.
+fn assert_bounded(diagnostics: &[Diagnostic]) {
+    assert!(diagnostics.len() < 6_000, "{} diagnostics", diagnostics.len());
+    for diagnostic in diagnostics {
+        assert!(diagnostic.message.chars().count() < 300, "{diagnostic}");
+    }
+}
+
+/// Bytes of every kind, as far as they are text.
+fn bytes(random: &mut Random, length: usize) -> String {
+    let bytes: Vec<u8> = (0..length).map(|_| random.next().to_le_bytes()[0]).collect();
+    String::from_utf8_lossy(&bytes).into_owned()
+}
+
+/// Letters, digits and signs that programs consist of, in no order.
+fn characters(random: &mut Random, length: usize) -> String {
+    const ALPHABET: &[u8] = b"GGGXXYYZIJRNMSTFDPQ0123456789..-- \n\n(;)%#[]/OA";
+    let pick = |random: &mut Random| {
+        let index = usize::try_from(random.below(ALPHABET.len() as u64)).expect("an index");
+        char::from(ALPHABET[index])
+    };
+    (0..length).map(|_| pick(random)).collect()
+}
+
+/// Proper words in no order.
+fn words(random: &mut Random, count: usize) -> String {
+    const WORDS: [&str; 48] = [
+        "G0", "G1", "G1", "G1", "G2", "G3", "G05", "G05", "G17", "G18", "G20", "G21", "G40", "G40",
+        "G41", "G42", "G41", "G41.1", "G42.1", "G90", "G91", "G90.1", "G91.1", "G4", "G28", "G81",
+        "G80", "G5.1", "G92", "G53", "M3", "M6", "M0", "T1", "S900", "F600", "F0", "D1", "D2",
+        "(c)", "/", "G10", "G43", "G64", "G93", "G94", "G54", "M8",
+    ];
+    const LETTERS: [&str; 12] = ["X", "Y", "X", "Y", "X", "Y", "Z", "I", "J", "R", "P", "Q"];
+    const NUMBERS: [&str; 14] = [
+        "0",
+        "1",
+        "-1",
+        "10",
+        "10.5",
+        "-7.25",
+        "3",
+        "25",
+        "1e5",
+        "",
+        "1000000000",
+        "0.00001",
+        "-0.0000000001",
+        "999999999",
+    ];
+    let mut text = String::new();
+    for _ in 0..count {
+        if random.below(3) == 0 {
+            text.push_str(random.pick(&WORDS));
+        } else {
+            text.push_str(random.pick(&LETTERS));
+            let usual = random.below(20) > 0;
+            text.push_str(random.pick(if usual { &NUMBERS[..8] } else { &NUMBERS[8..] }));
+        }
+        text.push(if random.below(4) == 0 { '\n' } else { ' ' });
+    }
+    text
+}
+
+#[test]
+fn random_bytes_are_reported() {
+    for seed in 0..CASES {
+        let text = bytes(&mut Random(seed), 300);
+        let (path, written) = all_stages(&text);
+        assert!(!path.diagnostics.is_empty(), "seed {seed}");
+        assert!(written.text.starts_with("G21"), "seed {seed}");
+    }
+}
+
+#[test]
+fn random_characters_of_programs_are_read() {
+    for seed in 0..CASES {
+        let text = characters(&mut Random(seed), 500);
+        let (path, _) = all_stages(&text);
+        assert!(path.moves.len() < 500, "seed {seed}");
+    }
+}
+
+#[test]
+fn random_words_give_paths_that_can_be_written_and_read_again() {
+    for seed in 0..CASES {
+        let text = words(&mut Random(seed), 120);
+        let (path, written) = all_stages(&text);
+        for found in &path.moves {
+            let [a, b] = [found.curve.start(), found.curve.end()];
+            assert!(a.is_finite() && b.is_finite(), "seed {seed}: {found:?}");
+        }
+        // A move that has length is a move that is written.
+        let read = Program::parse(&written.text, Dialect::Auto);
+        // Offsets of centres may be twice as large as coordinates can be.
+        let misread = read.diagnostics.iter().find(|d| d.code != "number-too-large");
+        assert!(misread.is_none(), "seed {seed}: {misread:?}\n{}", written.text);
+        let again = interpret(&read);
+        let wrong = |d: &&Diagnostic| {
+            matches!(d.code, "word-not-understood" | "no-motion-mode" | "arc-without-centre")
+        };
+        let fault = again.diagnostics.iter().find(wrong);
+        assert!(fault.is_none(), "seed {seed}: {fault:?}\n{}", written.text);
+    }
+}
+
+#[test]
+fn five_megabytes_of_noise_come_to_an_end() {
+    let mut random = Random(41);
+    let inputs = [
+        ("bytes", bytes(&mut random, LONG)),
+        ("characters", characters(&mut random, LONG)),
+        ("characters in one line", characters(&mut random, LONG).replace('\n', " ")),
+        ("zeros", "\0".repeat(LONG)),
+        ("digits", "7".repeat(LONG)),
+        ("one number", format!("X{}", "7".repeat(LONG))),
+        ("a fraction", format!("G0 X0.{}", "7".repeat(LONG))),
+        ("brackets", "[".repeat(LONG)),
+        ("brackets of words", "X[".repeat(LONG / 2)),
+        ("comments", "(".repeat(LONG)),
+        ("words of one line", "G1X1".repeat(LONG / 4)),
+        ("empty lines", "\n".repeat(LONG)),
+        ("slashes", "/".repeat(LONG)),
+        ("per cent", "%\n".repeat(LONG / 2)),
+        ("variables", "#<".repeat(LONG / 2)),
+    ];
+    for (name, text) in inputs {
+        let (_, written) = all_stages(&text);
+        assert!(written.text.starts_with("G21"), "{name}");
+    }
+}
+
+#[test]
+fn five_megabytes_of_words_come_to_an_end() {
+    let mut random = Random(42);
+    let text = words(&mut random, LONG / 5);
+    let (path, _) = all_stages(&text);
+    assert!(!path.moves.is_empty(), "there is a path");
+}
+
+#[test]
+fn a_contour_of_many_segments_and_events_comes_to_an_end() {
+    let mut text = String::from("G0 X0 Y-9\nG41 D1 G1 X0 Y0 F600\n");
+    let mut x = 0.0;
+    while text.len() < LONG / 5 {
+        x += 0.5;
+        text.push_str(&format!("X{x} Y{}\nM8\n", if x % 1.0 == 0.0 { 0 } else { 3 }));
+    }
+    text.push_str("G40 Y-9\nM30\n");
+    let (path, _) = all_stages(&text);
+    assert!(!path.moves.is_empty(), "there is a path");
+}
+
+#[test]
+fn a_spline_of_many_type_points_comes_to_an_end() {
+    let mut text = String::from("G0 X0 Y-20\nG41 D1 G1 X0 Y0 F600\nG05 ");
+    let mut x = 0.0_f64;
+    while text.len() < LONG / 25 {
+        x += 1.0;
+        text.push_str(&format!("X{x} Y{:.4}\n", 20.0 * (0.02 * x).sin()));
+    }
+    text.push_str("G40 G1 Y-50\nM30\n");
+    let (_, written) = all_stages(&text);
+    assert!(written.text.lines().count() > 100, "there is a path");
+}
