@@ -141,7 +141,10 @@ impl Assembly<'_> {
 
     fn add_events(&self, builder: &mut PathBuilder, before: usize) {
         let start = self.runs[0].ends[0];
-        for event in self.contour.events().iter().filter(|event| event.before == before) {
+        // They are in order, and there may be as many as segments.
+        let events = self.contour.events();
+        let first = events.partition_point(|event| event.before < before);
+        for event in events[first..].iter().take_while(|event| event.before == before) {
             builder.event(event, start);
         }
     }
