@@ -82,11 +82,18 @@ export function drawConstruction(
     context.lineWidth = 1.5;
     dot(context, at, 3.25, palette.paper, name === "P" ? palette.ink : color);
   }
+  // Names stand clear of the corner and of each other, however small the tool is on the screen.
   for (const [name, point] of named) {
+    if (name === "P") continue;
     const at = screen(point);
-    const away = name === "P" ? inwards(both) : outwards(center, at);
-    label(context, name, along(at, away, 15), palette.ink, palette.paper);
+    const away = outwards(center, at);
+    const clear = Math.max(15, 30 - distance(center, at));
+    label(context, name, along(at, away, clear), palette.ink, palette.paper);
   }
+  const taken = named
+    .filter(([name]) => name !== "P")
+    .map(([, point]) => outwards(center, screen(point)));
+  label(context, "P", along(center, widest(taken, both), 16), palette.ink, palette.paper);
 }
 
 /** The arc of the angle α, on the side of the workpiece, and its value. */
@@ -111,10 +118,13 @@ function drawAngle(
   context.stroke();
   const middle = first + turn / 2;
   const text = `α ${((transition.angle * 180) / Math.PI).toFixed(1)}°`;
-  context.textAlign =
-    Math.abs(Math.cos(middle)) < 0.4 ? "center" : Math.cos(middle) > 0 ? "left" : "right";
+  // In a narrow corner the value stands where there is room for its height.
+  const narrow = transition.angle < 1.2 ? 11 / Math.tan(transition.angle / 2) : 0;
+  const out = Math.min(90, Math.max(radius + 9, narrow));
+  const across = Math.cos(middle);
+  context.textAlign = Math.abs(across) < 0.4 ? "center" : across > 0 ? "left" : "right";
   context.textBaseline = "middle";
-  const at: Point = [x + (radius + 9) * Math.cos(middle), y - (radius + 9) * Math.sin(middle)];
+  const at: Point = [x + out * across, y - out * Math.sin(middle)];
   label(context, text, at, palette.ink, palette.paper);
 }
 
@@ -123,10 +133,12 @@ function outwards(from: Point, to: Point): Point {
   return d[0] === 0 && d[1] === 0 ? [0, -1] : d;
 }
 
-/** On the canvas, the direction from a corner in which nothing of its construction lies. */
-function inwards([t1, t2]: [Point, Point]): Point {
-  const d = direction([0, 0], [t1[0] + t2[0], -(t1[1] + t2[1])]);
-  return d[0] === 0 && d[1] === 0 ? [0, 1] : d;
+/** On the canvas, the direction from a corner that is farthest from all that is drawn there. */
+function widest(taken: readonly Point[], [t1, t2]: readonly [Point, Point]): Point {
+  const others: Point[] = [...taken, [-t1[0], t1[1]], [t2[0], -t2[1]]];
+  const candidates = Array.from({ length: 16 }, (_, i) => onCircle([0, 0], 1, (i * Math.PI) / 8));
+  const room = (p: Point) => Math.min(...others.map((q) => distance(p, q)));
+  return candidates.reduce((best, p) => (room(p) > room(best) + 1e-9 ? p : best));
 }
 
 function cornerArc(center: Point, from: Point, to: Point, clockwise: boolean): Point[] {
