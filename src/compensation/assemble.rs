@@ -12,7 +12,7 @@ use crate::contour::{
     Attributes, Contour, Lead, MoveCurve, Role, Tool, ToolPath, Transition, TransitionKind,
 };
 use crate::diagnostic::Diagnostic;
-use crate::geometry::Line;
+use crate::geometry::{Decimal, Line};
 
 /// The path of the centre of `tool` along `contour`.
 ///
@@ -95,8 +95,9 @@ impl Assembly<'_> {
                 Diagnostic::warning(
                     "short-lead-in",
                     format!(
-                        "the lead-in is {length:.4} mm long, shorter than the tool radius ({:.4} mm)",
-                        self.tool.radius()
+                        "the lead-in is {} mm long, shorter than the tool radius ({} mm)",
+                        Decimal::of(length),
+                        Decimal::of(self.tool.radius())
                     ),
                 )
                 .with_point(lead.point)
@@ -299,7 +300,7 @@ impl Assembly<'_> {
         builder.path.diagnostics.push(
             Diagnostic::info(
                 "type-points-deviation",
-                format!("the spline through the moved type points is up to {deviation:.6} mm off the true equidistant"),
+                format!("the spline through the moved type points is up to {} mm off the true equidistant", Decimal::new(deviation, 6)),
             )
             .with_point(at)
             .with_depth(deviation)

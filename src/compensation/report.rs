@@ -5,6 +5,7 @@ use glam::DVec2;
 use super::offset::Bend;
 use crate::contour::{Gouge, GougeKind, MoveCurve, Segment, Tool, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin};
+use crate::geometry::Decimal;
 
 /// Places on each move at which its distance from the contour is measured.
 const DEPTH_SAMPLES: usize = 16;
@@ -12,12 +13,12 @@ const DEPTH_SAMPLES: usize = 16;
 /// Reports a stretch that bends tighter than the tool.
 pub(super) fn bend(path: &mut ToolPath, bend: &Bend, origin: Origin, tool: Tool) {
     let message = format!(
-        "the contour bends to a radius of {:.4} mm, tighter than the tool ({:.4} mm); the path cuts {:.4} mm too deep",
-        bend.radius,
-        tool.radius(),
-        bend.depth
+        "the contour bends to a radius of {} mm, tighter than the tool ({} mm); the path cuts {} mm too deep",
+        Decimal::of(bend.radius),
+        Decimal::of(tool.radius()),
+        Decimal::of(bend.depth)
     );
-    let hint = format!("use a tool radius of at most {:.4} mm", bend.radius);
+    let hint = format!("use a tool radius of at most {} mm", Decimal::of(bend.radius));
     gouge(
         path,
         "curvature-gouge",
@@ -44,7 +45,8 @@ pub(super) fn missed_corner(
     let hint = "use a smaller tool, or make the segments at this corner longer";
     if depth > tolerance {
         let message = format!(
-            "the offsets of the inside corner do not meet; the path cuts {depth:.4} mm too deep"
+            "the offsets of the inside corner do not meet; the path cuts {} mm too deep",
+            Decimal::of(depth)
         );
         let code = "corner-gouge";
         gouge(path, code, message, hint.into(), at, depth, GougeKind::Curvature, &origins);
@@ -76,7 +78,8 @@ pub(super) fn backwards(
         return;
     }
     let message = format!(
-        "the segment is too short between its inside corners for the tool; the path cuts {depth:.4} mm too deep"
+        "the segment is too short between its inside corners for the tool; the path cuts {} mm too deep",
+        Decimal::of(depth)
     );
     let origins: Vec<Origin> = segments.iter().map(|s| s.attributes.origin).collect();
     let hint = "use a smaller tool".into();

@@ -9,7 +9,7 @@ use glam::DVec2;
 use super::{Attributes, Contour, Event, EventKind, Lead, Segment};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{
-    Arc, Curve, CurveError, EndCondition, Line, MIN_LENGTH, Parameter, RadiusForm, Spline,
+    Arc, Curve, CurveError, Decimal, EndCondition, Line, MIN_LENGTH, Parameter, RadiusForm, Spline,
     SplineEnds, in_range,
 };
 
@@ -173,8 +173,8 @@ impl ContourBuilder {
                 Diagnostic::error(
                     "not-closed",
                     format!(
-                        "the closed contour ends {:.6} mm from its start",
-                        end.distance(self.start)
+                        "the closed contour ends {} mm from its start",
+                        Decimal::new(end.distance(self.start), 6)
                     ),
                 )
                 .with_point(end)

@@ -4,7 +4,7 @@ use std::fmt;
 
 use glam::DVec2;
 
-use super::{Arc, Bounds, Line, Nearest, Spline};
+use super::{Arc, Bounds, Decimal, Line, Nearest, Spline};
 
 /// Largest coordinate a curve may have [mm]: a thousand kilometres.
 ///
@@ -64,16 +64,21 @@ impl fmt::Display for CurveError {
             Self::OutOfRange { point } => write!(
                 f,
                 "the point ({}, {}) is not a finite number of at most 1e9 mm",
-                point.x, point.y
+                Decimal::of(point.x),
+                Decimal::of(point.y)
             ),
             Self::ZeroLength => write!(f, "start and end coincide"),
             Self::RadiiDisagree { start, end } => {
-                write!(f, "the arc's start is {start:.6} mm from its centre, its end {end:.6} mm")
+                let [start, end] = [start, end].map(|&radius| Decimal::new(radius, 6));
+                write!(f, "the arc's start is {start} mm from its centre, its end {end} mm")
             }
-            Self::RadiusTooSmall { radius, least } => write!(
-                f,
-                "the arc's radius {radius:.6} mm is less than half the distance of its ends, {least:.6} mm"
-            ),
+            Self::RadiusTooSmall { radius, least } => {
+                let [radius, least] = [radius, least].map(|&radius| Decimal::new(radius, 6));
+                write!(
+                    f,
+                    "the arc's radius {radius} mm is less than half the distance of its ends, {least} mm"
+                )
+            }
             Self::FullCircleByRadius => {
                 write!(f, "an arc given by its radius cannot end where it starts")
             }

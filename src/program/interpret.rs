@@ -14,6 +14,7 @@ use super::report::Report;
 use super::type_points::{PendingSpline, SplineWord, spline_word};
 use super::words::{Words, tenths};
 use crate::diagnostic::{Diagnostic, Origin};
+use crate::geometry::Decimal;
 
 /// Letters that belong to the geometry of a block.
 const GEOMETRY: &str = "XYZABCUVWIJKRPQLDHE";
@@ -178,7 +179,10 @@ impl Interpreter {
                 if demands.groups >> group & 1 == 1 {
                     self.error(
                         "conflicting-words",
-                        format!("G{} excludes a G word before it in the block", word.value),
+                        format!(
+                            "G{} excludes a G word before it in the block",
+                            Decimal::of(word.value)
+                        ),
                         block.origin_at(word.column),
                         "the later one counts; put them into blocks of their own",
                     );
@@ -295,7 +299,7 @@ impl Interpreter {
         } else {
             self.error(
                 "bad-feed",
-                format!("the feed {} is not positive", word.value),
+                format!("the feed {} is not positive", Decimal::of(word.value)),
                 block.origin_at(word.column),
                 "the feed before it stays",
             );
@@ -344,7 +348,8 @@ impl Interpreter {
         };
         // No one waits that long on purpose; FANUC counts P in milliseconds.
         if time.letter == 'P' && time.value >= 100.0 {
-            let message = format!("the dwell of {} is passed on in seconds", time.value);
+            let message =
+                format!("the dwell of {} is passed on in seconds", Decimal::of(time.value));
             self.report.push(
                 Diagnostic::warning("long-dwell", message)
                     .with_origin(block.origin_at(time.column))
@@ -390,7 +395,7 @@ impl Interpreter {
             };
             self.error(
                 "word-not-understood",
-                format!("the word {}{} {what}", word.letter, word.value),
+                format!("the word {}{} {what}", word.letter, Decimal::of(word.value)),
                 block.origin_at(word.column),
                 "it has no effect",
             );

@@ -1,5 +1,7 @@
 //! Numbers as programs write them: strict to read, short to write.
 
+use crate::geometry::parse_decimal;
+
 /// Largest number a word may have: the range of coordinates in mm.
 const MAX_NUMBER: f64 = 1e9;
 
@@ -20,13 +22,7 @@ pub(super) fn parse_number(text: &str) -> Result<f64, NumberError> {
     if text.is_empty() {
         return Err(NumberError::Missing);
     }
-    let unsigned = text.strip_prefix(['+', '-']).unwrap_or(text);
-    let digits = unsigned.bytes().filter(u8::is_ascii_digit).count();
-    let points = unsigned.bytes().filter(|&b| b == b'.').count();
-    if digits == 0 || points > 1 || digits + points != unsigned.len() {
-        return Err(NumberError::Garbled);
-    }
-    let value: f64 = text.parse().map_err(|_| NumberError::Garbled)?;
+    let value = parse_decimal(text).ok_or(NumberError::Garbled)?;
     if value.abs() > MAX_NUMBER { Err(NumberError::TooLarge) } else { Ok(value) }
 }
 

@@ -7,6 +7,7 @@ use super::interpret::Interpreter;
 use super::number::whole;
 use super::words::Words;
 use crate::diagnostic::{Diagnostic, Origin};
+use crate::geometry::Decimal;
 
 impl Interpreter {
     /// G40, G41, G42 and the D word.
@@ -64,7 +65,7 @@ impl Interpreter {
             Some(number) => self.modal.radius_number = Some(number),
             None => self.error(
                 "bad-tool-number",
-                format!("D{} is not the number of a tool", word.value),
+                format!("D{} is not the number of a tool", Decimal::of(word.value)),
                 block.origin_at(word.column),
                 "with a diameter use G41.1 or G42.1; the active tool is taken",
             ),
