@@ -11,11 +11,11 @@ import {
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 
-import { Failure, root, run, script } from "./command.mjs";
+import { root, run, script } from "./command.mjs";
 import { locked, wasmTarget, xtask } from "./setup.mjs";
 import { unlessFresh } from "./stamp.mjs";
 
-const compiled = `target/${wasmTarget}/release/g41.wasm`;
+const compiled = `target/${wasmTarget}/wasm/g41.wasm`;
 const shipped = "dist/g41_bg.wasm";
 
 /** What tsc must know of the generated files to check the hand-written ones; not shipped. */
@@ -35,15 +35,15 @@ const wasmFeatures = [
   "sign-ext",
 ];
 
-/** Builds `dist/` and returns the gzipped size of the wasm [bytes]. */
+/** Builds `dist/` and returns whether the wasm fits, and its gzipped size for people to read. */
 export async function buildPackage() {
   await run("cargo", [
-    ...["build", ...locked, "--quiet", "--release", "--lib"],
+    ...["build", ...locked, "--quiet", "--profile", "wasm", "--lib"],
     ...["--target", wasmTarget, "--features", "js"],
   ]);
   const inputs = [compiled, "src/js", "scripts/package.mjs", "package-lock.json"];
   await unlessFresh("target/package.stamp", { inputs, outputs: [shipped] }, assemble);
-  return checkSize();
+  return measure();
 }
 
 async function assemble() {
@@ -83,16 +83,13 @@ async function assemble() {
   renameSync(fresh, join(root, "dist"));
 }
 
-function checkSize() {
-  const size = gzipSync(readFileSync(join(root, shipped)), { level: 9 }).length;
-  console.log(`${shipped}: ${kilobytes(size)} gzipped, at most ${kilobytes(sizeLimit)} allowed`);
-  if (size > sizeLimit) {
-    throw new Failure(`${shipped} has grown beyond its limit`);
-  }
-  return size;
+function measure() {
+  const bytes = gzipSync(readFileSync(join(root, shipped)), { level: 9 }).length;
+  const size = kilobytes(bytes);
+  console.log(`${shipped}: ${size} gzipped, at most ${kilobytes(sizeLimit)} allowed`);
+  return { fits: bytes <= sizeLimit, size };
 }
 
-/** A size in KB, as people read it. */
-export function kilobytes(bytes) {
+function kilobytes(bytes) {
   return `${(bytes / 1024).toFixed(1)} KB`;
 }

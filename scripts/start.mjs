@@ -10,7 +10,10 @@ const port = Number(process.env.PORT ?? 4141);
 
 main(async () => {
   await setup();
-  await buildPackage();
+  const wasm = await buildPackage();
+  if (!wasm.fits) {
+    throw new Failure("the wasm has grown beyond its limit");
+  }
   await buildPage();
   const { url } = await serve(join(root, "www/dist"), port).catch((error) => {
     throw new Failure(`cannot serve on port ${port} (PORT=… chooses another): ${error.message}`);
