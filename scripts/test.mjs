@@ -5,7 +5,7 @@ import { join } from "node:path";
 
 import { browserFlags, provideBrowser } from "./browser.mjs";
 import { main, observe, root, script } from "./command.mjs";
-import { buildPackage, kilobytes } from "./package.mjs";
+import { buildPackage } from "./package.mjs";
 import { buildPage } from "./page.mjs";
 import { locked, setup, wasmTarget } from "./setup.mjs";
 import { record, recordCheck, report } from "./tally.mjs";
@@ -18,7 +18,8 @@ const onWasm = ["--target", wasmTarget, "--features", "js"];
 main(async () => {
   await setup();
   const { browser, driver } = await provideBrowser();
-  const size = await buildPackage();
+  const wasm = await buildPackage();
+  recordCheck("checks", wasm.fits);
   await buildPage();
 
   await check("formatting (rustfmt)", "cargo", ["fmt", "--all", "--check"]);
@@ -34,7 +35,8 @@ main(async () => {
 
   await tests("native", "cargo", "cargo", [...cargoTest, "--features", "js"]);
   // After the native tests, which write samples of what crosses the boundary for it to check.
-  await check("types (tsc)", node, [script("typescript", "tsc"), "--noEmit"]);
+  await check("types of page and samples (tsc)", node, [script("typescript", "tsc")]);
+  await check("types of the face (tsc)", node, [script("typescript", "tsc"), "-p", "src/js"]);
   const inWasm = [...cargoTest, ...onWasm, "--test", "*"];
   await tests("wasm in Node", "cargo", "cargo", inWasm);
   await tests("wasm in browser", "cargo", "cargo", inWasm, {
@@ -51,7 +53,7 @@ main(async () => {
   const port = String(await freePort());
   await tests("page", "playwright", node, pageTests, { CHROME_PATH: browser, G41_TEST_PORT: port });
 
-  if (report([["wasm, gzipped", kilobytes(size).padStart(8)]]) > 0) {
+  if (report([["wasm, gzipped", wasm.size.padStart(8)]]) > 0) {
     process.exitCode = 1;
   }
 });
@@ -62,7 +64,8 @@ function clippy(...what) {
 
 async function check(title, program, args, env) {
   console.log(`\n--- ${title}`);
-  recordCheck("checks", await observe(program, args, { env }));
+  const { code } = await observe(program, args, { env });
+  recordCheck("checks", code === 0);
 }
 
 async function tests(row, counter, program, args, env) {
