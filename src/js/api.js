@@ -1,27 +1,40 @@
 // The functions of the package, the same for every way of loading it.
-import { call, coded } from "./lifecycle.js";
-import { contourOptions, tolerance } from "./options.js";
+import { bad } from "./check.js";
+import { call } from "./lifecycle.js";
+import { contourOptions, parseOptions, programOptions, tolerance } from "./options.js";
 import { packContours } from "./pack.js";
 import { unpackPolylines } from "./polylines.js";
+import { Program, useProgram } from "./program.js";
 import { ToolPath } from "./tool_path.js";
 
-/** @typedef {typeof import("./types.d.ts")} Face */
-
 export { RECORD_STRIDE } from "./moves.js";
-export { ToolPath };
+export { Program, ToolPath };
 
-/** @returns {never} */
-export function parseProgram() {
-  throw coded("not-supported", "parseProgram() is not in this version of g41");
+/**
+ * @param {string} text
+ * @param {unknown} [options]
+ */
+export function parseProgram(text, options) {
+  ready();
+  if (typeof text !== "string") {
+    bad(() => "text", "be a string");
+  }
+  parseOptions(options);
+  return new Program((glue) => glue.parseProgram(text));
 }
 
 /**
- * @param {unknown} contours
+ * @param {unknown} contours a program, or contours
  * @param {unknown} [options]
  */
 export function compensate(contours, options) {
-  // Says that g41 is not ready before it finds fault with anything else.
-  call(() => {});
+  ready();
+  if (contours instanceof Program) {
+    const { tools, radius, settings } = programOptions(options);
+    return new ToolPath((glue) =>
+      useProgram(contours, (raw) => raw.compensate(tools, radius, new glue.Settings(...settings))),
+    );
+  }
   const { side, radius, settings } = contourOptions(options);
   const records = packContours(contours);
   return new ToolPath((glue) =>
@@ -34,7 +47,7 @@ export function compensate(contours, options) {
  * @param {number} [within]
  */
 export function flatten(contours, within) {
-  call(() => {});
+  ready();
   const chord = tolerance(within);
   const records = packContours(contours);
   return call((glue) => {
@@ -47,4 +60,9 @@ export function flatten(contours, within) {
 /** The version of the package. */
 export function version() {
   return call((glue) => glue.version());
+}
+
+/** Throws where g41 is not ready, before any fault is found with arguments. */
+function ready() {
+  call(() => {});
 }

@@ -4,6 +4,8 @@ use std::fmt::Write as _;
 
 use glam::DVec2;
 
+use crate::geometry::Decimal;
+
 /// An object being written.
 #[derive(Debug)]
 pub(super) struct Object<'a> {
@@ -34,10 +36,28 @@ impl Object<'_> {
         push_number(self.out, value);
     }
 
+    /// Adds a field that is a truth.
+    pub(super) fn truth(&mut self, name: &str, value: bool) {
+        self.name(name);
+        self.out.push_str(if value { "true" } else { "false" });
+    }
+
     /// Adds a field that is a point or a vector.
     pub(super) fn point(&mut self, name: &str, value: DVec2) {
         self.name(name);
         push_point(self.out, value);
+    }
+
+    /// Adds a field that is a list of points.
+    pub(super) fn points(&mut self, name: &str, values: &[DVec2]) {
+        self.name(name);
+        push_items(self.out, values, |out, &value| push_point(out, value));
+    }
+
+    /// Adds a field that is a list of numbers.
+    pub(super) fn numbers(&mut self, name: &str, values: impl IntoIterator<Item = f64>) {
+        self.name(name);
+        push_items(self.out, values, push_number);
     }
 
     /// Adds a field that is an object.
@@ -103,9 +123,8 @@ fn push_point(out: &mut String, value: DVec2) {
 /// JSON has no NaN and no infinity; they become null.
 fn push_number(out: &mut String, value: f64) {
     if value.is_finite() {
-        // To a thousandth of a picometre; the shortest text that is read back as the same number
-        // would need a second way of printing numbers. Writing to a string cannot fail.
-        let _ = write!(out, "{value:.12}");
+        // To a thousandth of a picometre. Writing to a string cannot fail.
+        let _ = write!(out, "{}", Decimal::new(value, 12));
     } else {
         out.push_str("null");
     }
@@ -143,9 +162,9 @@ mod tests {
             }
         });
         let expected = concat!(
-            r#"[{"number":0.100000000000},"#,
-            r#"{"number":0.200000000000,"text":"a \"b\" \\ \u000a ü","#,
-            r#""point":[0.000000001000,-20000000000.000000000000],"#,
+            r#"[{"number":0.1},"#,
+            r#"{"number":0.2,"text":"a \"b\" \\ \u000a ü","#,
+            r#""point":[0.000000001,-20000000000],"#,
             r#""object":{"nan":null},"none":[]}]"#
         );
         assert_eq!(json, expected, "JSON");

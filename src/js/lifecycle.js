@@ -84,11 +84,6 @@ export function call(work) {
   }
 }
 
-/** `Symbol.dispose`, or a stand-in where the environment does not have it yet. */
-export const disposal = /** @type {typeof Symbol.dispose} */ (
-  Symbol.dispose ?? Symbol.for("Symbol.dispose")
-);
-
 /**
  * Something that lives in the WebAssembly's memory. It is freed when the handle is no longer
  * reachable, or by `dispose`.

@@ -70,3 +70,8 @@ fn record(step: &Move, numbering: &Numbering) -> [f64; STRIDE] {
 pub(super) fn per_minute(per_second: f64) -> f64 {
     per_second * 60.0
 }
+
+/// A feed of JavaScript [mm/min] in the core's unit [mm/s].
+pub(super) fn per_second(per_minute: f64) -> f64 {
+    per_minute / 60.0
+}

@@ -5,7 +5,7 @@
 /** @typedef {import("./types.d.ts").Role} Role */
 /** @typedef {import("./types.d.ts").Point3} Point3 */
 
-/** @type {import("./types.d.ts").RECORD_STRIDE} */
+/** @type {typeof import("./types.d.ts").RECORD_STRIDE} */
 export const RECORD_STRIDE = 19;
 
 export const RAPID = 0;

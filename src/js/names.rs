@@ -83,3 +83,11 @@ pub(super) fn side(name: SideName) -> Option<Side> {
         SideName::__Invalid => None,
     }
 }
+
+/// The name of a side.
+pub(super) fn side_name(side: Side) -> &'static str {
+    match side {
+        Side::Left => "left",
+        Side::Right => "right",
+    }
+}

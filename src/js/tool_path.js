@@ -1,13 +1,13 @@
 // The tool path as its user sees it: what the WebAssembly holds, unpacked when it is asked for.
 import { drawOn, svgData } from "./draw.js";
-import { coded, disposal, Handle } from "./lifecycle.js";
+import { coded, Handle } from "./lifecycle.js";
 import { unpackMoves } from "./moves.js";
-import { tolerance } from "./options.js";
+import { gcodeOptions, tolerance } from "./options.js";
 import { unpackPolylines } from "./polylines.js";
 
 /** @typedef {import("./types.d.ts").ToolPath} Face */
 /** @typedef {import("./lifecycle.js").Glue} Glue */
-/** @typedef {InstanceType<Glue["ToolPathHandle"]>} Raw */
+/** @typedef {import("./g41.js").ToolPathHandle} Raw */
 
 /** @implements {Face} */
 export class ToolPath {
@@ -81,7 +81,22 @@ export class ToolPath {
     return svgData(this.records());
   }
 
-  [disposal]() {
+  /** @param {import("./types.d.ts").GcodeOptions} [options] */
+  emit(options) {
+    const { tolerance: within, feed } = gcodeOptions(options);
+    const [text, diagnostics] = /** @type {[string, string]} */ (
+      this.#handle.use((raw) => raw.emit(within, feed))
+    );
+    return { text, diagnostics: JSON.parse(diagnostics) };
+  }
+
+  /** @param {import("./types.d.ts").GcodeOptions} [options] */
+  gcode(options) {
+    return this.emit(options).text;
+  }
+
+  // Where the environment has no Symbol.dispose yet, this only has a name that nobody calls.
+  [Symbol.dispose]() {
     this.#handle.dispose();
   }
 }

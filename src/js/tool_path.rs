@@ -4,12 +4,13 @@ use js_sys::Array;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::argument::BadArgument;
-use super::move_records::move_records;
+use super::move_records::{move_records, per_second};
 use super::numbering::Numbering;
 use super::polylines::Polylines;
 use super::report::{diagnostics_json, gouges_json, transitions_json};
 use crate::contour::ToolPath;
 use crate::diagnostic::Diagnostic;
+use crate::program::{EmitOptions, Emitted, Target, emit};
 
 /// A tool path; `ToolPath` of `types.d.ts` holds one.
 #[wasm_bindgen]
@@ -59,6 +60,16 @@ impl ToolPathHandle {
     #[wasm_bindgen(unchecked_return_type = "[Float64Array, Uint32Array, Uint32Array]")]
     pub fn polylines(&self, tolerance: f64) -> Result<Array, BadArgument> {
         Ok(Polylines::of_moves(&self.path.moves, tolerance)?.into_arrays())
+    }
+
+    /// `[text, diagnostics as JSON]` of the path as a program, within `tolerance` [mm], with
+    /// `feed` [mm/min] where none is programmed.
+    #[must_use]
+    pub fn emit(&self, tolerance: f64, feed: Option<f64>) -> Vec<String> {
+        let feed = feed.map(per_second);
+        let options = EmitOptions { target: Target::Grbl, tolerance, feed };
+        let Emitted { text, diagnostics } = emit(&self.path, &options);
+        vec![text, diagnostics_json(&diagnostics, &self.numbering)]
     }
 }
 

@@ -413,6 +413,13 @@ export interface GcodeOptions {
   feed?: number;
 }
 
+/** A program as written. */
+export interface Emitted {
+  text: string;
+  /** What was found while writing it. */
+  diagnostics: Diagnostic[];
+}
+
 /** Numbers of one move in `ToolPath.records()`. */
 export const RECORD_STRIDE: 19;
 
@@ -472,6 +479,8 @@ export class ToolPath {
    * @throws {G41Error} `"bad-argument"`, `"not-supported"` (another target)
    */
   gcode(options?: GcodeOptions): string;
+  /** The same with what was found on the way: feeds that are missing, jumps between pieces. */
+  emit(options?: GcodeOptions): Emitted;
   /** Gives the memory back now; the handle cannot be used after it. */
   [Symbol.dispose](): void;
 }

@@ -6,7 +6,7 @@ use super::Tools;
 use crate::compensation::{Options, compensate};
 use crate::contour::{AuxiliaryWords, Move, MoveCurve, Role, Tool, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin};
-use crate::geometry::{Line, MIN_LENGTH};
+use crate::geometry::{Decimal, Line, MIN_LENGTH};
 use crate::program::{Interpretation, Item, ProgrammedContour, RadiusSource};
 
 /// The path of the tool centre through a whole program, rapid moves and words included, with
@@ -106,7 +106,7 @@ impl Course {
                 RadiusSource::Tool(number) if radius.is_none() => {
                     format!("the radius of tool {number} is not known")
                 }
-                _ => format!("{} mm is no radius of a tool", radius.unwrap_or(f64::NAN)),
+                _ => format!("{} mm is no radius of a tool", Decimal::of(radius.unwrap_or(f64::NAN))),
             };
             self.path.diagnostics.push(
                 Diagnostic::error("missing-radius", message)

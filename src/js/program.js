@@ -1,0 +1,55 @@
+// A program as its user sees it: what the WebAssembly holds, unpacked when it is asked for.
+import { Handle } from "./lifecycle.js";
+import { tolerance } from "./options.js";
+import { unpackPolylines } from "./polylines.js";
+
+/** @typedef {import("./types.d.ts").Program} Face */
+/** @typedef {import("./lifecycle.js").Glue} Glue */
+/** @typedef {import("./g41.js").ProgramHandle} Raw */
+
+/**
+ * Runs a call with what a program holds, for `compensate` alone.
+ *
+ * @type {<R>(program: Program, work: (raw: Raw, glue: Glue) => R) => R}
+ */
+export let useProgram;
+
+/** @implements {Face} */
+export class Program {
+  /** @type {Handle<Raw>} */
+  #handle;
+  /** @type {Face["diagnostics"] | undefined} */
+  #diagnostics;
+  /** @type {Face["contours"] | undefined} */
+  #contours;
+
+  static {
+    useProgram = (program, work) => program.#handle.use(work);
+  }
+
+  /** @param {(glue: Glue) => Raw} make */
+  constructor(make) {
+    this.#handle = new Handle(make);
+  }
+
+  get diagnostics() {
+    this.#diagnostics ??= JSON.parse(this.#handle.use((raw) => raw.diagnostics()));
+    return /** @type {Face["diagnostics"]} */ (this.#diagnostics);
+  }
+
+  get contours() {
+    this.#contours ??= JSON.parse(this.#handle.use((raw) => raw.contours()));
+    return /** @type {Face["contours"]} */ (this.#contours);
+  }
+
+  /** @param {number} [within] */
+  polylines(within) {
+    const chord = tolerance(within);
+    return unpackPolylines(this.#handle.use((raw) => raw.polylines(chord)));
+  }
+
+  // Where the environment has no Symbol.dispose yet, this only has a name that nobody calls.
+  [Symbol.dispose]() {
+    this.#handle.dispose();
+  }
+}

@@ -1,0 +1,89 @@
+//! Programs: reading them, and a handle of what was read.
+
+use js_sys::Array;
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use super::argument::BadArgument;
+use super::numbering::Numbering;
+use super::polylines::Polylines;
+use super::programmed::contours_json;
+use super::report::diagnostics_json;
+use super::settings::Settings;
+use super::tool_path::ToolPathHandle;
+use crate::program::{Dialect, Interpretation, Item, Program, ProgrammedContour, interpret};
+use crate::simulation::{Tools, compensate_program};
+
+/// A program that was read and understood; `Program` of `types.d.ts` holds one.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct ProgramHandle {
+    interpretation: Interpretation,
+}
+
+/// Reads a program. What was not understood is a diagnostic.
+#[wasm_bindgen(js_name = parseProgram)]
+#[must_use]
+pub fn parse_program(text: &str) -> ProgramHandle {
+    ProgramHandle { interpretation: interpret(&Program::parse(text, Dialect::Auto)) }
+}
+
+impl ProgramHandle {
+    fn contours(&self) -> impl Iterator<Item = &ProgrammedContour> {
+        self.interpretation.items.iter().filter_map(|item| match item {
+            Item::Contour(contour) => Some(contour),
+            Item::Free(_) | Item::Words { .. } => None,
+        })
+    }
+}
+
+#[wasm_bindgen]
+impl ProgramHandle {
+    /// `diagnostics` as JSON.
+    #[must_use]
+    pub fn diagnostics(&self) -> String {
+        diagnostics_json(&self.interpretation.diagnostics, &Numbering::plain())
+    }
+
+    /// `contours` as JSON.
+    #[wasm_bindgen(js_name = contours)]
+    #[must_use]
+    pub fn contours_as_json(&self) -> String {
+        contours_json(self.contours())
+    }
+
+    /// `[points3, starts, owners]` of `polylines` within `tolerance` [mm].
+    ///
+    /// # Errors
+    /// Where the tolerance asks for too many vertices.
+    #[wasm_bindgen(unchecked_return_type = "[Float64Array, Uint32Array, Uint32Array]")]
+    pub fn polylines(&self, tolerance: f64) -> Result<Array, BadArgument> {
+        let mut polylines = Polylines::default();
+        let mut first = 0;
+        for ProgrammedContour { contour, .. } in self.contours() {
+            polylines.contour(Some(contour), tolerance, |i| first + owner(i))?;
+            first += owner(contour.segments().len());
+        }
+        Ok(polylines.into_arrays())
+    }
+
+    /// The path with `tools`, pairs of a number and a radius [mm], and `radius` for all others.
+    #[must_use]
+    pub fn compensate(
+        &self,
+        tools: &[f64],
+        radius: Option<f64>,
+        settings: Settings,
+    ) -> ToolPathHandle {
+        // The numbers are whole, as `api.js` has checked.
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "see above")]
+        let radii = tools.chunks_exact(2).map(|tool| (tool[0] as u32, tool[1])).collect();
+        let tools = Tools { radii, default_radius: radius };
+        let path = compensate_program(&self.interpretation, &tools, &settings.into_options());
+        ToolPathHandle::new(path, Numbering::plain())
+    }
+}
+
+/// An index of a segment as JavaScript gets it; no program has so many.
+fn owner(index: usize) -> u32 {
+    u32::try_from(index).unwrap_or(u32::MAX)
+}
