@@ -12,9 +12,14 @@ import { serve } from "../../scripts/page.mjs";
 
 const manifest = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
 
-/** What a project says with the package, and what it must hear. */
-export const program = `await init();\nconst answer = version();`;
-export const answer = manifest.version;
+/** What a project says with the package: the tool cuts a corner short on its inside. */
+export const program = `await init();
+const path = compensate(
+  { start: [0, 0], segments: [{ kind: "line", to: [10, 0] }, { kind: "line", to: [10, 10] }] },
+  { side: "left", radius: 2 },
+);
+const answer = path.polyline().join(" ");`;
+export const answer = "0 2 8 2 8 10";
 
 /** Packs the package once for a test file; the function returned makes a project with it. */
 export function packed() {

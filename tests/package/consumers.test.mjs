@@ -10,7 +10,7 @@ const project = packed();
 const show = `document.querySelector("output").textContent = answer;`;
 
 for (const entry of ["g41", "g41/inline"]) {
-  const imports = `import init, { version } from "${entry}";`;
+  const imports = `import init, { compensate } from "${entry}";`;
 
   test(`${entry} is imported by Node`, async () => {
     const source = `${imports}\n${program}\nconsole.log(answer);`;
@@ -18,7 +18,7 @@ for (const entry of ["g41", "g41/inline"]) {
   });
 
   test(`${entry} is required by Node`, async () => {
-    const source = `const { default: init, version } = require("${entry}");
+    const source = `const { default: init, compensate } = require("${entry}");
 (async () => { ${program} console.log(answer); })();`;
     const home = project("cjs", { "main.cjs": source });
     // Node 20 warns that it is experimental.
