@@ -2,6 +2,8 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+use std::fmt::Write;
+
 use g41::compensation::Options;
 use g41::contour::ToolPath;
 use g41::diagnostic::Diagnostic;
@@ -190,7 +192,8 @@ fn a_contour_of_many_segments_and_events_comes_to_an_end() {
     let mut x = 0.0;
     while text.len() < LONG / 5 {
         x += 0.5;
-        text.push_str(&format!("X{x} Y{}\nM8\n", if x % 1.0 == 0.0 { 0 } else { 3 }));
+        let y = if x % 1.0 == 0.0 { 0 } else { 3 };
+        writeln!(text, "X{x} Y{y}\nM8").expect("a string takes everything");
     }
     text.push_str("G40 Y-9\nM30\n");
     let (path, _) = all_stages(&text);
@@ -203,7 +206,8 @@ fn a_spline_of_many_type_points_comes_to_an_end() {
     let mut x = 0.0_f64;
     while text.len() < LONG / 25 {
         x += 1.0;
-        text.push_str(&format!("X{x} Y{:.4}\n", 20.0 * (0.02 * x).sin()));
+        let y = 20.0 * (0.02 * x).sin();
+        writeln!(text, "X{x} Y{y:.4}").expect("a string takes everything");
     }
     text.push_str("G40 G1 Y-50\nM30\n");
     let (_, written) = all_stages(&text);

@@ -1,0 +1,196 @@
+//! Whole programs compensated: every stage together, against closed forms.
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use std::collections::BTreeMap;
+
+use g41::compensation::Options;
+use g41::contour::{Move, MoveCurve, Role, ToolPath};
+use g41::diagnostic::Severity;
+use g41::program::{Dialect, EmitOptions, Item, Program, emit, interpret};
+use g41::simulation::{Tools, compensate_program};
+use glam::DVec2;
+
+const POCKET: &str = include_str!("programs/pocket.ngc");
+const CAM: &str = include_str!("programs/cam.ngc");
+const SLOT: &str = include_str!("programs/slot.ngc");
+const LETTERING: &str = include_str!("programs/lettering.ngc");
+const INCH_PLATE: &str = include_str!("programs/inch_plate.ngc");
+const INCREMENTAL: &str = include_str!("programs/incremental.ngc");
+const HELIX: &str = include_str!("programs/helix.ngc");
+const ALL: [&str; 7] = [POCKET, CAM, SLOT, LETTERING, INCH_PLATE, INCREMENTAL, HELIX];
+
+fn path_with(text: &str, tools: &Tools) -> ToolPath {
+    let read = interpret(&Program::parse(text, Dialect::Auto));
+    compensate_program(&read, tools, &Options::default())
+}
+
+fn path_of(text: &str, radius: f64) -> ToolPath {
+    path_with(text, &Tools::all(radius))
+}
+
+/// Radii of the arcs that follow segments, in order.
+fn segment_radii(path: &ToolPath) -> Vec<f64> {
+    let radius = |found: &Move| match (found.role, found.curve) {
+        (Role::Segment, MoveCurve::Arc(arc)) => Some(arc.radius()),
+        _ => None,
+    };
+    path.moves.iter().filter_map(radius).collect()
+}
+
+fn assert_radii(path: &ToolPath, expected: &[f64]) {
+    let found = segment_radii(path);
+    assert_eq!(found.len(), expected.len(), "{found:?}");
+    for (a, b) in found.iter().zip(expected) {
+        assert!((a - b).abs() < 1e-9, "{found:?} should be {expected:?}");
+    }
+}
+
+/// The moves of contours, the diagnostics apart.
+fn codes(path: &ToolPath) -> Vec<(&str, Severity)> {
+    path.diagnostics.iter().map(|d| (d.code, d.severity)).collect()
+}
+
+#[test]
+fn every_program_gives_a_path_without_gaps_and_without_findings() {
+    for text in ALL {
+        for radius in [0.0, 0.5, 2.0] {
+            let path = path_of(text, radius);
+            assert_eq!(codes(&path), [], "radius {radius}: {:?}", path.diagnostics);
+            for pair in path.moves.windows(2) {
+                let (a, b) = (&pair[0], &pair[1]);
+                let gap = a.curve.end().distance(b.curve.start());
+                assert!(gap < 1e-9, "radius {radius}: {gap} mm between\n{a:?}\n{b:?}");
+                assert!((a.z[1] - b.z[0]).abs() < 1e-9, "radius {radius}:\n{a:?}\n{b:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn every_program_is_written_and_read_again_as_the_same_path() {
+    for text in ALL {
+        let path = path_of(text, 2.0);
+        let written = emit(&path, &EmitOptions::default());
+        assert!(written.diagnostics.is_empty(), "{:?}", written.diagnostics);
+        assert!(!written.text.contains("G4"), "{}", written.text);
+        let again = path_of(&written.text, 2.0);
+        assert_eq!(codes(&again), [], "{}", written.text);
+        let ends = |path: &ToolPath| path.moves.last().map(|m| (m.curve.end(), m.z[1]));
+        let (a, b) = (ends(&path).expect("moves"), ends(&again).expect("moves"));
+        assert!(a.0.distance(b.0) < 1e-4 && (a.1 - b.1).abs() < 1e-4, "{a:?} {b:?}");
+        let length = |path: &ToolPath| path.moves.iter().map(|m| m.curve.length()).sum::<f64>();
+        let (a, b) = (length(&path), length(&again));
+        assert!(
+            (a - b).abs() < 2e-3 * f64::from(u32::try_from(again.moves.len()).expect("few")),
+            "{a} {b}"
+        );
+    }
+}
+
+#[test]
+fn arcs_in_a_pocket_shrink_and_those_round_a_plate_grow_by_the_radius() {
+    assert_radii(&path_of(POCKET, 3.0), &[5.0; 4]);
+    assert_radii(&path_of(SLOT, 2.5), &[3.5; 4]);
+    // Corners of 1/4 inch from outside, a bore of 1/2 inch radius from inside.
+    let (corner, bore) = (6.35 + 2.0, 12.7 - 2.0);
+    assert_radii(&path_of(INCH_PLATE, 2.0), &[corner, corner, corner, corner, bore]);
+    // G41 to the right of an arc that turns left: inside it.
+    assert_radii(&path_of(INCREMENTAL, 2.0), &[5.0 - 2.0]);
+}
+
+#[test]
+fn the_path_of_a_cam_stays_at_the_radius_from_its_contour() {
+    let read = interpret(&Program::parse(CAM, Dialect::Auto));
+    let contour = read
+        .items
+        .iter()
+        .find_map(|item| if let Item::Contour(found) = item { Some(&found.contour) } else { None })
+        .expect("a contour");
+    let radius = 4.0;
+    let path = path_of(CAM, radius);
+    // The contour as points 0.005 mm apart and less: nearer than that no point is missed by 1e-6.
+    let mut points = Vec::new();
+    for segment in contour.segments() {
+        let steps = 20_000;
+        points.extend((0..=steps).map(|i| segment.curve.point(f64::from(i) / f64::from(steps))));
+    }
+    for found in path.moves.iter().filter(|m| m.role == Role::Segment && m.z[0] == -4.0) {
+        for i in 0..=4 {
+            let at = found.curve.point(f64::from(i) / 4.0);
+            let nearest = points.iter().map(|p| p.distance(at)).fold(f64::INFINITY, f64::min);
+            assert!((nearest - radius).abs() < 0.0011, "{nearest} at {at}: {found:?}");
+        }
+    }
+}
+
+#[test]
+fn each_contour_has_the_radius_of_its_own_tool() {
+    let text = "G0 X0 Y-20\nG41 D1 G1 X0 Y0 F600\nX50\nG40 X50 Y-20\nX0 Y-20\n\
+                G41 D2 X0 Y0\nX50\nG40 X50 Y-20\nX0 Y-20\nG42.1 D8 X0 Y0\nX50\nG40 X50 Y-20\nM30\n";
+    let tools = Tools { radii: BTreeMap::from([(1, 3.0), (2, 5.0)]), default_radius: None };
+    let path = path_with(text, &tools);
+    let heights: Vec<f64> =
+        path.moves.iter().filter(|m| m.role == Role::Segment).map(|m| m.curve.end().y).collect();
+    assert_eq!(heights, [3.0, 5.0, -4.0], "{:?}", path.diagnostics);
+}
+
+#[test]
+fn a_tool_without_radius_is_reported_and_passes_as_programmed() {
+    let text = "G0 X0 Y-20\nG41 D7 G1 X0 Y0 F600\nX50\nG40 Y-20\n";
+    for (tools, says) in [
+        (Tools::default(), "tool 7 is not known"),
+        (Tools::all(f64::NAN), "no radius"),
+        (Tools::all(f64::INFINITY), "no radius"),
+    ] {
+        let path = path_with(text, &tools);
+        assert_eq!(codes(&path), [("missing-radius", Severity::Error)], "{says}");
+        assert!(path.diagnostics[0].message.contains(says), "{}", path.diagnostics[0]);
+        let ends: Vec<_> = path.moves.iter().map(|m| m.curve.end().to_array()).collect();
+        assert_eq!(ends, [[0.0, -20.0], [0.0, 0.0], [50.0, 0.0], [50.0, -20.0]], "{says}");
+    }
+}
+
+#[test]
+fn without_a_lead_out_the_tool_goes_on_from_where_it_is() {
+    let text = "G0 X0 Y-20\nG41 D1 G1 X0 Y0 F600\nX50\nG40\nG0 Z9\nM30\n";
+    let path = path_of(text, 3.0);
+    let last = path.moves[path.moves.len() - 1];
+    assert_eq!(last.curve, MoveCurve::Vertical(DVec2::new(50.0, 3.0)), "it retracts in place");
+    assert_eq!(path.words[0].before, path.moves.len(), "M30 comes last");
+
+    let text = "G0 X0 Y-20\nG41 D1 G1 X0 Y0 F600\nX50\nG40 G2 X60 Y10 R10\n";
+    let path = path_of(text, 3.0);
+    assert_eq!(codes(&path), [("curved-lead-out", Severity::Error)], "an arc cannot lead out");
+    let ends: Vec<_> = path.moves.iter().rev().take(3).map(|m| m.curve.end().to_array()).collect();
+    assert_eq!(ends, [[60.0, 10.0], [50.0, 0.0], [50.0, 3.0]], "straight to the arc's start");
+}
+
+#[test]
+fn a_change_of_side_goes_straight_across() {
+    let text = "G0 X0 Y-20\nG41 D1 G1 X0 Y0 F600\nX50\nG42 X90\nG40 Y-20\n";
+    let path = path_of(text, 3.0);
+    assert_eq!(codes(&path), [("side-changed", Severity::Warning)], "{:?}", path.diagnostics);
+    let ends: Vec<_> = path.moves.iter().map(|m| m.curve.end().to_array()).collect();
+    assert!(ends.windows(2).any(|p| p == [[50.0, 3.0], [50.0, -3.0]]), "{ends:?}");
+}
+
+#[test]
+fn words_between_segments_stand_between_their_moves() {
+    let text = "G0 X0 Y-20\nM3 S800\nG41 D1 G1 X0 Y0 F600\nX50\nM8\nX90\nM9\nG40 Y-20\nM30\n";
+    let path = path_of(text, 3.0);
+    let written = emit(&path, &EmitOptions::default()).text;
+    let lines: Vec<&str> = written.lines().collect();
+    let place = |line: &str| lines.iter().position(|l| *l == line).expect("the line is there");
+    assert!(place("M3 S800") < place("X50") && place("X50") < place("M8"), "{written}");
+    assert!(place("M8") < place("M9") && place("M9") < place("X90 Y-20"), "{written}");
+}
+
+#[test]
+fn a_move_along_z_while_compensated_happens_beside_the_contour() {
+    let text = "G0 X0 Y-20\nG41 D1 G1 X0 Y0 F600\nX50\nZ-2\nX90\nG40 Y-20\n";
+    let path = path_of(text, 3.0);
+    let plunge = path.moves.iter().find(|m| m.curve.length() == 0.0).expect("it is there");
+    assert_eq!(plunge.curve, MoveCurve::Vertical(DVec2::new(50.0, 3.0)), "beside");
+    assert_eq!(plunge.z, [0.0, -2.0], "down");
+}
