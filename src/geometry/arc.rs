@@ -1,6 +1,6 @@
 //! A circular arc, up to a full circle, of either sense.
 
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 
 use glam::DVec2;
 
@@ -35,7 +35,9 @@ impl Arc {
     /// coincide.
     ///
     /// Programs round coordinates, so the two radii may differ by up to `tolerance` [mm]; the
-    /// centre is then moved to the nearest point that is equally far from both ends.
+    /// centre is then moved to the nearest point that is equally far from both ends. Where that is
+    /// farther than `tolerance`, on an arc of more than half a circle, the end is moved onto the
+    /// circle about the centre instead.
     ///
     /// # Errors
     /// [`CurveError::OutOfRange`], [`CurveError::ZeroLength`] where the centre is on the start, or
@@ -64,17 +66,20 @@ impl Arc {
         // The nearest centre equally far from both ends: the foot on their perpendicular bisector.
         let middle = start.midpoint(end);
         let along = (end - start).normalize();
-        let center = center - along * (center - middle).dot(along);
+        let shift = (center - middle).dot(along);
+        let sweep = sweep_between(start - center, end - center, clockwise);
+        if sweep.abs() > PI && shift.abs() > tolerance {
+            // Between ends that are close, a micrometre of radius turns the bisector by degrees,
+            // and most of the circle would be somewhere else.
+            let end = center + (end - center) * (radii.0 / radii.1);
+            return Ok(Self { start, end, center, radius: radii.0, sweep });
+        }
+        let center = center - along * shift;
         let radius = start.distance(center);
         if radius < MIN_LENGTH {
             return Err(CurveError::ZeroLength);
         }
-        let swept = turn(start - center, end - center);
-        let sweep = match (clockwise, swept > 0.0) {
-            (false, true) | (true, false) => swept,
-            (false, false) => swept + TAU,
-            (true, true) => swept - TAU,
-        };
+        let sweep = sweep_between(start - center, end - center, clockwise);
         Ok(Self { start, end, center, radius, sweep })
     }
 
@@ -273,5 +278,15 @@ impl Arc {
         }
         let foot = self.center + (point - self.center).normalize() * self.radius;
         Nearest::new(t, foot, point).or_nearer(ends)
+    }
+}
+
+/// The angle from the radius to the start to that to the end, in the sense given.
+fn sweep_between(start: DVec2, end: DVec2, clockwise: bool) -> f64 {
+    let swept = turn(start, end);
+    match (clockwise, swept > 0.0) {
+        (false, true) | (true, false) => swept,
+        (false, false) => swept + TAU,
+        (true, true) => swept - TAU,
     }
 }

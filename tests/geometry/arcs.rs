@@ -121,6 +121,19 @@ fn a_rounded_centre_moves_to_the_nearest_place_equally_far_from_both_ends() {
 }
 
 #[test]
+fn a_nearly_full_circle_stays_in_its_place_though_its_radii_differ() {
+    // A circle of 1 m, written with ends rounded to a micrometre: 0.02 mm apart, or one on the
+    // other's radius.
+    let (center, start) = (p(0.0, 0.0), p(1000.0, 0.0));
+    for end in [[1000.001, -0.02], [999.999, -0.02], [1000.001, 0.0], [999.999, 0.0]] {
+        let arc = Arc::from_center(start, end.into(), center, false, 0.01).expect("an arc");
+        let half = arc.point(0.5);
+        assert!(half.distance(p(-1000.0, 0.0)) < 0.02, "{arc:?}: {half} is half round");
+        assert!(arc.end().distance(end.into()) < 0.0011, "{arc:?} ends at {end:?}");
+    }
+}
+
+#[test]
 fn reversing_and_splitting_keep_every_point() {
     let mut random = Random::new(3);
     for case in 0..200 {
