@@ -180,9 +180,11 @@ fn five_megabytes_of_noise_come_to_an_end() {
 
 #[test]
 fn five_megabytes_of_words_come_to_an_end() {
-    let mut random = Random(42);
-    let text = words(&mut random, LONG / 5);
-    let (path, _) = all_stages(&text);
+    let text = words(&mut Random(42), LONG / 5);
+    let read = interpret(&Program::parse(&text, Dialect::Auto));
+    assert_bounded(&read.diagnostics);
+    // The later stages on a part of it: what they make of it is many times as large.
+    let (path, _) = all_stages(&text[..LONG / 10]);
     assert!(!path.moves.is_empty(), "there is a path");
 }
 
