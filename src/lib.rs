@@ -67,8 +67,8 @@
 //! | floor | modules | what they must not know |
 //! | --- | --- | --- |
 //! | 6 | `js` (feature `js`) | nothing hidden: it converts, calls, converts |
-//! | 5 | `simulation` | the text of a program |
-//! | 4 | `program`, [`compensation`] | each other; `compensation` knows no G-code |
+//! | 5 | [`simulation`] | the text of a program |
+//! | 4 | [`program`], [`compensation`] | each other; `compensation` knows no G-code |
 //! | 3 | [`contour`] | how a contour becomes a path |
 //! | 2 | [`geometry`] | that tools exist |
 //! | 1 | [`diagnostic`] | everything |

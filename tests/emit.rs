@@ -205,6 +205,15 @@ fn a_first_position_at_zero_is_written() {
 }
 
 #[test]
+fn positions_are_stated_again_in_another_coordinate_system() {
+    let path = path_of("G54\nG0 X10 Y5\nZ2\nG55\nX10 Y5\nZ2\nG56\nX10 Y9 Z2\nM2\n");
+    let text = write(&path).text;
+    let expected =
+        ["G54", "G0 X10 Y5", "Z2", "G55", "G0 X10 Y5", "G0 Z2", "G56", "X10 Y9", "G0 Z2", "M2"];
+    assert_eq!(blocks(&text), expected, "{text}");
+}
+
+#[test]
 fn a_path_of_a_contour_begins_with_a_rapid_move_to_its_start() {
     let line = Line::new(DVec2::ZERO, DVec2::new(9.0, 0.0)).expect("a line");
     let mut first = feed_move(MoveCurve::Line(line), [0.0; 2]);

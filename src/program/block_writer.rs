@@ -72,6 +72,10 @@ impl BlockWriter {
         if words.starts_with("G0 ") {
             self.motion = Some('0');
         }
+        // Coordinate systems: the same numbers are another place now.
+        if words.contains("G5") {
+            self.stated = false;
+        }
         self.text.push_str(words);
         self.text.push('\n');
     }

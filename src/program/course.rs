@@ -18,8 +18,9 @@ use crate::geometry::{Curve, Line};
 pub enum Item {
     /// A move without compensation.
     Free(Move),
-    /// Words to be passed through. They move nothing, apart from one case: a block that goes to
-    /// coordinate zero before the program has said where the tool is, such as `G0 X0 Y0`.
+    /// Words to be passed through. They move nothing, apart from one case: a block that states a
+    /// coordinate assumed already, at the beginning or after a change of the coordinate system,
+    /// such as `G0 X0 Y0`.
     Words {
         /// The words: M, S and T words, comments.
         words: String,

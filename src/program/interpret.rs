@@ -221,6 +221,8 @@ impl Interpreter {
                 GWord::PassedOn => {
                     auxiliary.word('G', word.value);
                     self.changed_while_on(block, word, "the coordinate system");
+                    // The same numbers are another place now.
+                    self.modal.stated = [false; 3];
                 }
                 GWord::LeftOut(what, letters) => {
                     words.take_all(letters);
