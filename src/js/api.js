@@ -50,11 +50,7 @@ export function flatten(contours, within) {
   ready();
   const chord = tolerance(within);
   const records = packContours(contours);
-  return call((glue) => {
-    const flattened = glue.flattenContours(records, chord);
-    const diagnostics = JSON.parse(flattened.diagnostics());
-    return { ...unpackPolylines(flattened.intoPolylines()), diagnostics };
-  });
+  return call((glue) => unpackPolylines(glue.flattenContours(records, chord)));
 }
 
 /** The version of the package. */

@@ -1,6 +1,5 @@
 //! An argument that cannot be used, and the error that it becomes in JavaScript.
 
-use js_sys::{Error, Reflect};
 use wasm_bindgen::JsValue;
 
 /// An argument that cannot be used: where it is, and what is wrong with it.
@@ -19,14 +18,10 @@ impl BadArgument {
     }
 }
 
+/// Thrown as the text `path␤must`, of which `lifecycle.js` makes an `Error`: making one here would
+/// take bindings for all of JavaScript.
 impl From<BadArgument> for JsValue {
-    fn from(argument: BadArgument) -> Self {
-        let BadArgument { path, must } = argument;
-        let error = Error::new(&format!("{path} must {must}"));
-        for (name, value) in [("code", "bad-argument"), ("path", &path)] {
-            // Setting a property of a fresh error cannot fail.
-            let _ = Reflect::set(&error, &name.into(), &value.into());
-        }
-        error.into()
+    fn from(BadArgument { path, must }: BadArgument) -> Self {
+        Self::from_str(&format!("{path}\n{must}"))
     }
 }

@@ -6,8 +6,9 @@ use super::argument::BadArgument;
 use super::contour_records::read_contours;
 use super::names::{SideName, side};
 use super::polylines::Polylines;
+use super::polylines_handle::PolylinesHandle;
 use super::settings::Settings;
-use super::tool_path::{FlattenedHandle, ToolPathHandle};
+use super::tool_path::ToolPathHandle;
 use crate::compensation::compensate;
 use crate::contour::{Contour, Tool, ToolPath};
 use crate::diagnostic::Origin;
@@ -46,7 +47,7 @@ pub fn compensate_contours(
 /// # Errors
 /// Where a record is wrong, or the tolerance asks for too many vertices.
 #[wasm_bindgen(js_name = flattenContours)]
-pub fn flatten_contours(records: &[f64], tolerance: f64) -> Result<FlattenedHandle, BadArgument> {
+pub fn flatten_contours(records: &[f64], tolerance: f64) -> Result<PolylinesHandle, BadArgument> {
     let (contours, numbering) = read_contours(records)?;
     let mut polylines = Polylines::default();
     let mut diagnostics = Vec::new();
@@ -56,7 +57,7 @@ pub fn flatten_contours(records: &[f64], tolerance: f64) -> Result<FlattenedHand
         let contour = built.contour.as_ref();
         polylines.contour(contour, tolerance, |i| described_index(contour, i))?;
     }
-    Ok(FlattenedHandle::new(polylines, diagnostics, numbering))
+    Ok(PolylinesHandle::with_diagnostics(polylines, diagnostics, numbering))
 }
 
 /// The number that a made segment has among the described ones, of which some may be left out.

@@ -74,6 +74,11 @@ export function call(work) {
   try {
     return work(glue);
   } catch (cause) {
+    if (typeof cause === "string") {
+      // What the core says of a bad argument: where it is, and what it must be.
+      const [path, must] = cause.split("\n");
+      throw coded("bad-argument", `${path} must ${must}`, { path });
+    }
     if (cause instanceof Error && "code" in cause) {
       throw cause;
     }

@@ -14,6 +14,7 @@ mod move_records;
 mod names;
 mod numbering;
 mod polylines;
+mod polylines_handle;
 mod program;
 mod programmed;
 mod report;
@@ -24,11 +25,12 @@ pub use argument::BadArgument;
 pub use compensate::{compensate_contours, flatten_contours};
 pub use names::{CornerName, LeadName, SideName, SplineName};
 pub use numbering::Numbering;
+pub use polylines_handle::PolylinesHandle;
 pub use program::{ProgramHandle, parse_program};
 pub use programmed::contours_json;
 pub use report::{diagnostics_json, gouges_json, transitions_json};
 pub use settings::Settings;
-pub use tool_path::{FlattenedHandle, ToolPathHandle};
+pub use tool_path::ToolPathHandle;
 
 use wasm_bindgen::prelude::wasm_bindgen;
 

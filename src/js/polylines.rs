@@ -1,7 +1,6 @@
 //! Curves as polylines: pieces without a gap, one vertex after the other.
 
 use glam::DVec2;
-use js_sys::{Array, Float64Array, Uint32Array};
 
 use super::argument::BadArgument;
 use crate::contour::{Contour, Move, MoveCurve};
@@ -111,15 +110,6 @@ impl Polylines {
             return Ok(());
         }
         Err(BadArgument::new("tolerance", "be larger: the polylines have too many vertices"))
-    }
-
-    /// `[points3, starts, owners]` for JavaScript.
-    pub(super) fn into_arrays(self) -> Array {
-        Array::of3(
-            &Float64Array::from(self.points.as_slice()),
-            &Uint32Array::from(self.starts.as_slice()),
-            &Uint32Array::from(self.owners.as_slice()),
-        )
     }
 }
 

@@ -45,7 +45,10 @@ export class Program {
   /** @param {number} [within] */
   polylines(within) {
     const chord = tolerance(within);
-    return unpackPolylines(this.#handle.use((raw) => raw.polylines(chord)));
+    const { diagnostics: _, ...polylines } = this.#handle.use((raw) =>
+      unpackPolylines(raw.polylines(chord)),
+    );
+    return polylines;
   }
 
   // Where the environment has no Symbol.dispose yet, this only has a name that nobody calls.

@@ -1,11 +1,11 @@
 //! Programs: reading them, and a handle of what was read.
 
-use js_sys::Array;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::argument::BadArgument;
 use super::numbering::Numbering;
 use super::polylines::Polylines;
+use super::polylines_handle::PolylinesHandle;
 use super::programmed::contours_json;
 use super::report::diagnostics_json;
 use super::settings::Settings;
@@ -51,19 +51,18 @@ impl ProgramHandle {
         contours_json(self.contours())
     }
 
-    /// `[points3, starts, owners]` of `polylines` within `tolerance` [mm].
+    /// `polylines` within `tolerance` [mm].
     ///
     /// # Errors
     /// Where the tolerance asks for too many vertices.
-    #[wasm_bindgen(unchecked_return_type = "[Float64Array, Uint32Array, Uint32Array]")]
-    pub fn polylines(&self, tolerance: f64) -> Result<Array, BadArgument> {
+    pub fn polylines(&self, tolerance: f64) -> Result<PolylinesHandle, BadArgument> {
         let mut polylines = Polylines::default();
         let mut first = 0;
         for ProgrammedContour { contour, .. } in self.contours() {
             polylines.contour(Some(contour), tolerance, |i| first + owner(i))?;
             first += owner(contour.segments().len());
         }
-        Ok(polylines.into_arrays())
+        Ok(PolylinesHandle::new(polylines))
     }
 
     /// The path with `tools`, pairs of a number and a radius [mm], and `radius` for all others.

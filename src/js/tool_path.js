@@ -66,7 +66,10 @@ export class ToolPath {
   /** @param {number} [within] */
   polylines(within) {
     const chord = tolerance(within);
-    return unpackPolylines(this.#handle.use((raw) => raw.polylines(chord)));
+    const { diagnostics: _, ...polylines } = this.#handle.use((raw) =>
+      unpackPolylines(raw.polylines(chord)),
+    );
+    return polylines;
   }
 
   /** @returns {any} `Path2D`, which the types name only where the environment has it */

@@ -1,15 +1,14 @@
-//! Handles of tool paths and of flattened contours.
+//! A handle of a tool path.
 
-use js_sys::Array;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::argument::BadArgument;
 use super::move_records::{move_records, per_second};
 use super::numbering::Numbering;
 use super::polylines::Polylines;
+use super::polylines_handle::PolylinesHandle;
 use super::report::{diagnostics_json, gouges_json, transitions_json};
 use crate::contour::ToolPath;
-use crate::diagnostic::Diagnostic;
 use crate::program::{EmitOptions, Emitted, Target, emit};
 
 /// A tool path; `ToolPath` of `types.d.ts` holds one.
@@ -53,13 +52,12 @@ impl ToolPathHandle {
         gouges_json(&self.path.gouges, &self.numbering)
     }
 
-    /// `[points3, starts, owners]` of `polylines` within `tolerance` [mm].
+    /// `polylines` within `tolerance` [mm].
     ///
     /// # Errors
     /// Where the tolerance asks for too many vertices.
-    #[wasm_bindgen(unchecked_return_type = "[Float64Array, Uint32Array, Uint32Array]")]
-    pub fn polylines(&self, tolerance: f64) -> Result<Array, BadArgument> {
-        Ok(Polylines::of_moves(&self.path.moves, tolerance)?.into_arrays())
+    pub fn polylines(&self, tolerance: f64) -> Result<PolylinesHandle, BadArgument> {
+        Ok(PolylinesHandle::new(Polylines::of_moves(&self.path.moves, tolerance)?))
     }
 
     /// `[text, diagnostics as JSON]` of the path as a program, within `tolerance` [mm], with
@@ -70,42 +68,5 @@ impl ToolPathHandle {
         let options = EmitOptions { target: Target::Grbl, tolerance, feed };
         let Emitted { text, diagnostics } = emit(&self.path, &options);
         vec![text, diagnostics_json(&diagnostics, &self.numbering)]
-    }
-}
-
-/// Contours as polylines, and what is wrong with them.
-#[wasm_bindgen]
-#[derive(Debug)]
-pub struct FlattenedHandle {
-    polylines: Polylines,
-    diagnostics: Vec<Diagnostic>,
-    numbering: Numbering,
-}
-
-impl FlattenedHandle {
-    /// Holds polylines and diagnostics of contours whose segments are numbered so.
-    pub(super) fn new(
-        polylines: Polylines,
-        diagnostics: Vec<Diagnostic>,
-        numbering: Numbering,
-    ) -> Self {
-        Self { polylines, diagnostics, numbering }
-    }
-}
-
-#[wasm_bindgen]
-impl FlattenedHandle {
-    /// `diagnostics` as JSON.
-    #[must_use]
-    pub fn diagnostics(&self) -> String {
-        diagnostics_json(&self.diagnostics, &self.numbering)
-    }
-
-    /// `[points3, starts, owners]`, which ends the handle.
-    #[wasm_bindgen(js_name = intoPolylines)]
-    #[wasm_bindgen(unchecked_return_type = "[Float64Array, Uint32Array, Uint32Array]")]
-    #[must_use]
-    pub fn into_polylines(self) -> Array {
-        self.polylines.into_arrays()
     }
 }

@@ -163,8 +163,9 @@ fn newton(a: &Cubic, b: &Cubic, pa: &Part, pb: &Part) -> Option<Crossing> {
             return None;
         }
         let (step_t, step_u) = (cross(gap, db) / determinant, cross(gap, da) / determinant);
-        t = (t + step_t).clamp(pa.from - reach_a, pa.to + reach_a);
-        u = (u + step_u).clamp(pb.from - reach_b, pb.to + reach_b);
+        // Not `clamp`, whose refusal of a wrong range prints numbers, with all that this takes.
+        t = (t + step_t).max(pa.from - reach_a).min(pa.to + reach_a);
+        u = (u + step_u).max(pb.from - reach_b).min(pb.to + reach_b);
         if step_t.abs() < 1e-14 && step_u.abs() < 1e-14 {
             break;
         }
