@@ -12,7 +12,7 @@ use glam::DVec2;
 use super::block_writer::{BlockWriter, SCALE, units};
 use crate::contour::{Move, MoveCurve, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin};
-use crate::geometry::{Arc, ArcOrLine, Cubic, fit_arcs};
+use crate::geometry::{Arc, ArcOrLine, Cubic, MIN_LENGTH, fit_arcs};
 
 /// For whom a program is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -108,7 +108,10 @@ fn cubic_run(moves: &[Move]) -> Vec<Cubic> {
             && next.z == [first.z[0]; 2];
         match next.curve {
             MoveCurve::Cubic(cubic)
-                if alike && run.last().is_none_or(|last| last.end() == cubic.start()) =>
+                if alike
+                    && run
+                        .last()
+                        .is_none_or(|last| last.end().distance(cubic.start()) <= MIN_LENGTH) =>
             {
                 run.push(cubic);
             }
