@@ -23,6 +23,7 @@ mod tool_path;
 
 pub use argument::BadArgument;
 pub use compensate::{compensate_contours, flatten_contours};
+pub use move_records::STRIDE as RECORD_STRIDE;
 pub use names::{CornerName, LeadName, SideName, SplineName};
 pub use numbering::Numbering;
 pub use polylines_handle::PolylinesHandle;

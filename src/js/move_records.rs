@@ -5,7 +5,7 @@ use crate::contour::{Move, MoveCurve, Role};
 use crate::diagnostic::Origin;
 
 /// Numbers of one move.
-pub(super) const STRIDE: usize = 19;
+pub const STRIDE: usize = 19;
 
 const RAPID: f64 = 0.0;
 const LINE: f64 = 1.0;
