@@ -87,8 +87,9 @@ fn sign_changes(coefficients: &[f64], zero: f64) -> usize {
     changes
 }
 
-/// De Casteljau's halving: the coefficients over both halves.
-fn halve<const N: usize>(coefficients: [f64; N]) -> ([f64; N], [f64; N]) {
+/// The Bernstein coefficients over both halves of `[0, 1]` (de Casteljau).
+#[must_use]
+pub fn halve<const N: usize>(coefficients: [f64; N]) -> ([f64; N], [f64; N]) {
     let mut left = coefficients;
     let mut right = coefficients;
     for (level, edge) in left.iter_mut().enumerate().skip(1) {

@@ -22,7 +22,7 @@ mod vector;
 
 pub use arc::{Arc, RadiusForm};
 pub use arc_fit::{ArcOrLine, fit_arcs};
-pub use bernstein::roots;
+pub use bernstein::{halve, roots};
 pub use bounds::Bounds;
 pub use cubic::Cubic;
 pub use curve::{Curve, CurveError, MAX_COORDINATE, MIN_LENGTH, in_range};
