@@ -19,9 +19,10 @@ export default defineConfig({
   projects: [
     {
       name: "desktop",
+      testIgnore: "touch.spec.ts",
       use: { ...devices["Desktop Chrome"], viewport: { width: 1280, height: 800 } },
     },
-    { name: "touch", use: { ...devices["Pixel 7"] } },
+    { name: "touch", testMatch: "touch.spec.ts", use: { ...devices["Pixel 7"] } },
   ],
   webServer: {
     command: `node scripts/serve.mjs ${port}`,

@@ -1,6 +1,11 @@
 // The page: state → worker → result → picture, and controls that change the state.
 
-import "./style.css";
+import "./style/tokens.css";
+import "./style/base.css";
+import "./style/controls.css";
+import "./style/layout.css";
+import "./style/panels.css";
+import "./style/narrow.css";
 import { openExample } from "./actions";
 import { ComputeClient } from "./compute-client";
 import { EXAMPLES } from "./examples";

@@ -118,13 +118,16 @@ function drawAngle(
   context.stroke();
   const middle = first + turn / 2;
   const text = `α ${((transition.angle * 180) / Math.PI).toFixed(1)}°`;
-  // In a narrow corner the value stands where there is room for its height.
-  const narrow = transition.angle < 1.2 ? 11 / Math.tan(transition.angle / 2) : 0;
-  const out = Math.min(90, Math.max(radius + 9, narrow));
-  const across = Math.cos(middle);
-  context.textAlign = Math.abs(across) < 0.4 ? "center" : across > 0 ? "left" : "right";
+  // In a narrow corner the value stands where there is room for it.
+  const [width, height] = [54, 14];
+  const [c, d] = [Math.cos(middle), Math.sin(middle)];
+  const across = (width * Math.abs(d) + height * Math.abs(c)) / 2 + 5;
+  const deep = (width * Math.abs(c) + height * Math.abs(d)) / 2;
+  const narrow = transition.angle < 2 ? across / Math.tan(transition.angle / 2) : 0;
+  const out = Math.max(radius + 6, Math.min(100, narrow)) + deep;
+  context.textAlign = "center";
   context.textBaseline = "middle";
-  const at: Point = [x + out * across, y - out * Math.sin(middle)];
+  const at: Point = [x + out * c, y - out * d];
   label(context, text, at, palette.ink, palette.paper);
 }
 

@@ -37,7 +37,11 @@ export function diagnosticsPanel(
     button.append(
       element("span", { class: "severity" }, MARKS[diagnostic.severity]),
       element("span", { class: "message" }, diagnostic.message),
-      element("small", {}, [place, depth, diagnostic.hint].filter(Boolean).join(" · ")),
+      element(
+        "small",
+        { class: "place" },
+        [place, depth, diagnostic.hint].filter(Boolean).join(" · "),
+      ),
     );
     button.addEventListener("click", () => choose(diagnostic));
     return element("li", { class: `diagnostic diagnostic-${diagnostic.severity}` }, button);

@@ -1,0 +1,73 @@
+// Light and dark, wide and narrow: accessible, legible, and nothing is cut off.
+import { expect, test } from "@playwright/test";
+import { G41Page } from "./page";
+
+for (const scheme of ["light", "dark"] as const) {
+  for (const [name, width, height] of [
+    ["wide", 1440, 900],
+    ["narrow", 390, 844],
+  ] as const) {
+    test(`${scheme}, ${name}: no violation, legible lines, no sideways scrolling`, async ({
+      page,
+    }, info) => {
+      await page.emulateMedia({ colorScheme: scheme });
+      await page.setViewportSize({ width, height });
+      const g41 = new G41Page(page);
+      await g41.open();
+      await g41.canvas.focus();
+      for (let i = 0; i < 6; i += 1) await page.keyboard.press("Tab");
+      await g41.frames(3);
+      await page.screenshot({ path: info.outputPath(`${scheme}-${name}.png`), fullPage: true });
+
+      await page.addScriptTag({ path: "node_modules/axe-core/axe.min.js" });
+      const violations = await page.evaluate(async () => {
+        const { axe } = window as unknown as {
+          axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
+        };
+        const result = await axe.run();
+        return result.violations.map(({ id, nodes }) => `${id}: ${nodes.map((n) => n.html)}`);
+      });
+      expect(violations).toEqual([]);
+      expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(
+        width,
+      );
+
+      // What tools for accessibility cannot see: the lines on the canvas against its paper.
+      const contrast = await g41.base.evaluate((element) => {
+        const canvas = element as HTMLCanvasElement;
+        const data = canvas.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height).data;
+        if (!data) return 0;
+        const luminance = (i: number) => {
+          const linear = [0, 1, 2].map((k) => {
+            const value = (data[i + k] ?? 0) / 255;
+            return value <= 0.04045 ? value / 12.92 : ((value + 0.055) / 1.055) ** 2.4;
+          }) as [number, number, number];
+          return 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2];
+        };
+        const paper = luminance(4 * (5 * canvas.width + 5));
+        let most = 0;
+        for (let i = 0; i < data.length; i += 4) {
+          const [a, b] = [luminance(i), paper].sort((x, y) => y - x) as [number, number];
+          most = Math.max(most, (a + 0.05) / (b + 0.05));
+        }
+        return most;
+      });
+      expect(contrast).toBeGreaterThan(7);
+    });
+  }
+}
+
+test("the button changes the scheme, and the choice stays", async ({ page }) => {
+  await page.emulateMedia({ colorScheme: "light" });
+  const g41 = new G41Page(page);
+  await g41.open();
+  const light = await g41.picture();
+  await page.getByRole("button", { name: "Dark scheme" }).click();
+  await g41.frames(2);
+  expect(await g41.picture()).not.toBe(light);
+  await page.reload();
+  await expect(page.getByRole("button", { name: "Dark scheme" })).toHaveAttribute(
+    "aria-pressed",
+    "true",
+  );
+});

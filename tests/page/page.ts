@@ -1,0 +1,101 @@
+// What the tests of the page share: opening it, and finding places of the picture on the screen.
+import type { Locator, Page } from "@playwright/test";
+import { expect } from "@playwright/test";
+
+/** A point [mm] or a place on the screen [px]. */
+export type Point = readonly [x: number, y: number];
+
+/** The page as a user meets it. */
+export class G41Page {
+  readonly canvas: Locator;
+  readonly base: Locator;
+  readonly program: Locator;
+  readonly output: Locator;
+  readonly errors: string[] = [];
+
+  constructor(readonly page: Page) {
+    this.canvas = page.locator("canvas.overlay");
+    this.base = page.locator("canvas.base");
+    this.program = page.getByLabel("Program of the part");
+    this.output = page.getByLabel("Compensated program", { exact: true });
+    page.on("pageerror", (error) => this.errors.push(error.message));
+    page.on("console", (message) => message.type() === "error" && this.errors.push(message.text()));
+  }
+
+  /** Opens the page and waits for the first tool path. */
+  async open(example?: string): Promise<void> {
+    await this.page.goto("./");
+    await expect(this.output).toHaveValue(/G1/);
+    if (example) {
+      const before = await this.output.inputValue();
+      await this.page.getByLabel("Example").selectOption(example);
+      await expect(this.output).not.toHaveValue(before);
+    }
+    await this.frames(3);
+  }
+
+  /** Waits for animation frames. */
+  async frames(count: number): Promise<void> {
+    await this.page.evaluate(async (frames) => {
+      for (let i = 0; i < frames; i += 1) {
+        await new Promise((resolve) => requestAnimationFrame(resolve));
+      }
+    }, count);
+  }
+
+  /** Where points of the program are on the screen, found with the coordinates that are read out. */
+  async locator(): Promise<(point: Point) => Point> {
+    await this.canvas.scrollIntoViewIfNeeded();
+    const box = await this.canvas.boundingBox();
+    if (!box) throw new Error("the canvas is not shown");
+    const read = async (at: Point): Promise<Point> => {
+      await this.page.mouse.move(...at);
+      await expect(this.page.locator("#readout")).toHaveText(/X/);
+      const text = (await this.page.locator("#readout").textContent()) ?? "";
+      const [x, y] = [...text.matchAll(/-?\d+(?:\.\d+)?/g)].map(Number);
+      return [x as number, y as number];
+    };
+    const a: Point = [box.x + 4, box.y + 4];
+    const b: Point = [box.x + box.width - 4, box.y + box.height - 4];
+    const [p, q] = [await read(a), await read(b)];
+    return ([x, y]) => [
+      a[0] + ((x - p[0]) / (q[0] - p[0])) * (b[0] - a[0]),
+      a[1] + ((y - p[1]) / (q[1] - p[1])) * (b[1] - a[1]),
+    ];
+  }
+
+  /** Drags with the mouse from one place to another. */
+  async drag(from: Point, to: Point, steps = 8): Promise<void> {
+    await this.page.mouse.move(...from);
+    await this.page.mouse.down();
+    await this.page.mouse.move(...to, { steps });
+    await this.page.mouse.up();
+    await this.settled();
+  }
+
+  /** Waits until the tool path belongs to the text that is shown. */
+  async settled(): Promise<void> {
+    // A result needs a turn of the worker and a frame; then nothing moves any more.
+    let before = "";
+    await expect
+      .poll(async () => {
+        const now = (await this.program.inputValue()) + (await this.output.inputValue());
+        const same = now === before;
+        before = now;
+        return same;
+      })
+      .toBe(true);
+    await this.frames(2);
+  }
+
+  /** What the static layer shows, as a string to compare. */
+  async picture(): Promise<string> {
+    return this.base.evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
+  }
+
+  /** The number beside a kind in the legend. */
+  async count(kind: "Shortened" | "Elongated" | "Inserted"): Promise<number> {
+    const item = this.page.locator("#legend li", { hasText: kind });
+    return Number(await item.locator("small").textContent());
+  }
+}

@@ -1,0 +1,88 @@
+// Radius, side, corner, spline method and tolerance, and what they do to the tool path.
+import { expect, test } from "@playwright/test";
+import { G41Page } from "./page";
+
+test("radius by field and by slider, one step of undo each", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const before = await g41.output.inputValue();
+  const field = page.getByLabel("Tool radius in mm");
+  await field.fill("2.5");
+  await field.press("Enter");
+  await expect(g41.output).not.toHaveValue(before);
+  const second = await g41.output.inputValue();
+  const slider = page.getByRole("slider", { name: "Tool radius" });
+  await expect(slider).toHaveValue("2.5");
+  await slider.focus();
+  for (let i = 0; i < 5; i += 1) await page.keyboard.press("ArrowRight");
+  await expect(field).toHaveValue("3");
+  await page.keyboard.press("Control+z");
+  await expect(field).not.toHaveValue("3");
+  for (let i = 0; i < 6 && (await field.inputValue()) !== "5"; i += 1) {
+    await page.keyboard.press("Control+z");
+  }
+  await expect(g41.output).toHaveValue(before);
+  expect(second).not.toBe(before);
+});
+
+test("a radius larger than the part is answered, not refused", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const field = page.getByLabel("Tool radius in mm");
+  for (const radius of ["40", "400", "0"]) {
+    await field.fill(radius);
+    await field.press("Enter");
+    await g41.settled();
+    const diagnosed = await page.locator("#diagnostics li").count();
+    if (radius === "0") expect(diagnosed).toBe(0);
+    else expect(diagnosed).toBeGreaterThan(0);
+  }
+  await page.locator("body").click({ position: { x: 5, y: 5 } });
+  expect(g41.errors).toEqual([]);
+});
+
+test("the side is a word of the program", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const before = await g41.output.inputValue();
+  await page.getByRole("radio", { name: "Right G42" }).check();
+  await expect(g41.program).toHaveValue(/^N30 G1 G42 D1 X0 Y18 F400 \(LEAD-IN\)$/m);
+  await expect(g41.output).not.toHaveValue(before);
+  await page.getByRole("radio", { name: "Left G41" }).check();
+  await expect(g41.output).toHaveValue(before);
+});
+
+test("outside corners are straight or arcs", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open("star");
+  expect(await g41.count("Inserted")).toBeGreaterThan(0);
+  expect(await g41.count("Elongated")).toBeGreaterThan(0);
+  expect(await g41.count("Shortened")).toBeGreaterThan(0);
+  expect(await g41.output.inputValue()).not.toMatch(/^G2/m);
+  const corners = page.getByRole("group", { name: "Outside corners" });
+  await corners.getByRole("radio", { name: "Arc" }).check();
+  await expect(g41.output).toHaveValue(/^G2/m);
+});
+
+test("both spline methods, and they differ", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open("ellipse");
+  const exact = await g41.output.inputValue();
+  await page.getByRole("radio", { name: "Type points" }).check();
+  await expect(g41.output).not.toHaveValue(exact);
+});
+
+test("every example of the gallery has a tool path without errors", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const ids = await page
+    .locator("#example option")
+    .evaluateAll((options) => options.map((option) => (option as HTMLOptionElement).value));
+  for (const id of ids) {
+    await page.getByLabel("Example").selectOption(id);
+    await g41.settled();
+    await expect(g41.output).toHaveValue(/G1/);
+    await expect(page.locator(".diagnostic-error, .diagnostic-warning"), id).toHaveCount(0);
+  }
+  expect(g41.errors).toEqual([]);
+});

@@ -1,0 +1,69 @@
+// Fingers on a phone: they drag points, pinch the picture, and do not scroll the page.
+import { expect, test } from "@playwright/test";
+import { G41Page, type Point } from "./page";
+
+/** A type point of the first example, where it is dragged to, and its block. */
+const TYPE_POINT: Point = [56, 64];
+const TARGET: Point = [58, 72];
+
+test("a finger drags a type point", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const place = await g41.locator();
+  const before = [await g41.program.inputValue(), await g41.output.inputValue()];
+  const client = await page.context().newCDPSession(page);
+  const touch = (type: string, at?: Point) =>
+    client.send("Input.dispatchTouchEvent", {
+      type: type as "touchStart",
+      touchPoints: at ? [{ x: at[0], y: at[1], id: 1 }] : [],
+    });
+  const [from, to] = [place(TYPE_POINT), place(TARGET)];
+  const scrolled = await page.evaluate(() => scrollY);
+  // Fingers are not precise: ten pixels beside the point is on it.
+  await touch("touchStart", [from[0] + 8, from[1] - 6]);
+  for (let i = 1; i <= 10; i += 1) {
+    const t = i / 10;
+    const at: Point = [from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t];
+    await touch("touchMove", [at[0] + 8, at[1] - 6]);
+    await g41.frames(1);
+  }
+  await touch("touchEnd");
+  await g41.settled();
+  expect(await g41.program.inputValue()).toMatch(/^N90 G05 X5[789].* Y7[123]/m);
+  expect(await g41.output.inputValue()).not.toBe(before[1]);
+  expect(await page.evaluate(() => scrollY)).toBe(scrolled);
+  await page.getByRole("button", { name: "Undo" }).tap();
+  await expect(g41.program).toHaveValue(before[0] as string);
+  await expect(g41.output).toHaveValue(before[1] as string);
+});
+
+test("two fingers zoom the picture and leave the program alone", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const place = await g41.locator();
+  const before = await g41.program.inputValue();
+  const gap = place([10, 0])[0] - place([0, 0])[0];
+  const client = await page.context().newCDPSession(page);
+  const middle = place([40, 30]);
+  const pinch = (type: string, half: number) =>
+    client.send("Input.dispatchTouchEvent", {
+      type: type as "touchStart",
+      touchPoints: half
+        ? [
+            { x: middle[0] - half, y: middle[1], id: 1 },
+            { x: middle[0] + half, y: middle[1], id: 2 },
+          ]
+        : [],
+    });
+  await pinch("touchStart", 40);
+  for (let half = 45; half <= 80; half += 5) {
+    await pinch("touchMove", half);
+    await g41.frames(1);
+  }
+  await pinch("touchEnd", 0);
+  const after = await g41.locator();
+  const ratio = (after([10, 0])[0] - after([0, 0])[0]) / gap;
+  expect(ratio).toBeGreaterThan(1.7);
+  expect(ratio).toBeLessThan(2.3);
+  expect(await g41.program.inputValue()).toBe(before);
+});
