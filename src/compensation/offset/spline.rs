@@ -48,6 +48,11 @@ pub(in crate::compensation) fn offset_spline(
     offset: f64,
     tolerance: f64,
 ) -> SplineOffset {
+    if offset.abs() <= MIN_LENGTH {
+        // No proof tells the two sides of the curve apart, and none is needed.
+        let pieces = spline.pieces().iter().copied().map(MoveCurve::Cubic).collect();
+        return SplineOffset { pieces, bends: Vec::new() };
+    }
     let mut pieces: Vec<MoveCurve> = Vec::with_capacity(spline.pieces().len());
     let mut tight: Vec<Tight> = Vec::new();
     for (span, cubic) in spline.pieces().iter().enumerate() {
