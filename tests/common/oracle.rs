@@ -2,7 +2,8 @@
 
 use glam::DVec2;
 
-use g41::geometry::{Arc, Cubic, Line};
+use g41::contour::MoveCurve;
+use g41::geometry::{Arc, Cubic, Curve, Line};
 
 /// A curve of one piece.
 #[derive(Debug, Clone, Copy)]
@@ -24,6 +25,34 @@ impl Plain {
 
     pub(crate) fn of_cubic(cubic: &Cubic) -> Self {
         Self::Bezier(cubic.points)
+    }
+
+    /// The pieces of a programmed curve.
+    pub(crate) fn of_curve(curve: &Curve) -> Vec<Self> {
+        match curve {
+            Curve::Line(line) => vec![Self::of_line(line)],
+            Curve::Arc(arc) => vec![Self::of_arc(arc)],
+            Curve::Spline(spline) => spline.pieces().iter().map(Self::of_cubic).collect(),
+        }
+    }
+
+    /// The curve of a move in the plane; `None` for one along z.
+    pub(crate) fn of_move(curve: &MoveCurve) -> Option<Self> {
+        match curve {
+            MoveCurve::Line(line) => Some(Self::of_line(line)),
+            MoveCurve::Arc(arc) => Some(Self::of_arc(arc)),
+            MoveCurve::Cubic(cubic) => Some(Self::of_cubic(cubic)),
+            MoveCurve::Vertical(_) => None,
+        }
+    }
+
+    /// The samples that show all bends of an ordinary curve of this kind.
+    pub(crate) fn samples(&self) -> usize {
+        match self {
+            Self::Line(..) => 16,
+            Self::Arc { .. } => 96,
+            Self::Bezier(_) => 48,
+        }
     }
 
     pub(crate) fn point(&self, t: f64) -> DVec2 {
@@ -78,10 +107,13 @@ impl Plain {
 }
 
 /// Distances from a set of curves, by dense sampling and golden sections.
-pub(crate) struct Field<'a> {
-    curves: Vec<Box<dyn Fn(f64) -> DVec2 + 'a>>,
+pub(crate) struct Field {
+    curves: Vec<Plain>,
     blocks: Vec<Block>,
 }
+
+/// Samples in a block, its first counting for the block before.
+const SIZE: usize = 16;
 
 /// Successive samples of one curve and a circle around them.
 struct Block {
@@ -95,34 +127,27 @@ struct Block {
     gap: f64,
 }
 
-impl<'a> Field<'a> {
-    /// Of `curves` over `[0, 1]`, each with the number of samples that shows all its bends.
-    pub(crate) fn new(
-        curves: impl IntoIterator<Item = (Box<dyn Fn(f64) -> DVec2 + 'a>, usize)>,
-    ) -> Self {
-        const SIZE: usize = 16;
+impl Field {
+    /// Of `curves`, each with as many samples as show all its bends.
+    pub(crate) fn new(curves: impl IntoIterator<Item = (Plain, usize)>) -> Self {
         let mut field = Self { curves: Vec::new(), blocks: Vec::new() };
-        for (curve, (at, samples)) in curves.into_iter().enumerate() {
+        for (index, (curve, samples)) in curves.into_iter().enumerate() {
             let count = samples.div_ceil(SIZE);
             let step = 1.0 / (count * SIZE) as f64;
             for block in 0..count {
                 let from = (block * SIZE) as f64 * step;
-                let points: Vec<DVec2> = (0..=SIZE).map(|i| at(from + i as f64 * step)).collect();
+                let points: Vec<DVec2> =
+                    (0..=SIZE).map(|i| curve.point(from + i as f64 * step)).collect();
                 let low = points.iter().copied().fold(DVec2::INFINITY, DVec2::min);
                 let high = points.iter().copied().fold(DVec2::NEG_INFINITY, DVec2::max);
                 let gap = points.windows(2).map(|w| w[0].distance(w[1])).fold(0.0, f64::max);
                 let center = low.midpoint(high);
                 let radius = center.distance(high) + gap;
-                field.blocks.push(Block { curve, from, step, points, center, radius, gap });
+                field.blocks.push(Block { curve: index, from, step, points, center, radius, gap });
             }
-            field.curves.push(at);
+            field.curves.push(curve);
         }
         field
-    }
-
-    pub(crate) fn of_plain(curves: &'a [Plain], samples: usize) -> Self {
-        let boxed = |c: &'a Plain| -> Box<dyn Fn(f64) -> DVec2 + 'a> { Box::new(|t| c.point(t)) };
-        Self::new(curves.iter().map(|c| (boxed(c), samples)))
     }
 
     /// Distance of `point` from the nearest point of all curves.
@@ -136,7 +161,7 @@ impl<'a> Field<'a> {
             if block.center.distance(point) - block.radius > sampled {
                 continue;
             }
-            let mut distances = [f64::INFINITY; 17];
+            let mut distances = [f64::INFINITY; SIZE + 1];
             for (distance, sample) in distances.iter_mut().zip(&block.points) {
                 *distance = sample.distance(point);
             }
@@ -154,7 +179,7 @@ impl<'a> Field<'a> {
             if here <= sampled + block.gap {
                 let t = block.from + i as f64 * block.step;
                 let (low, high) = ((t - block.step).max(0.0), (t + block.step).min(1.0));
-                let at = |t: f64| self.curves[block.curve](t).distance(point);
+                let at = |t: f64| self.curves[block.curve].point(t).distance(point);
                 best = best.min(golden_minimum(at, low, high));
             }
         }

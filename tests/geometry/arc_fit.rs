@@ -39,7 +39,8 @@ fn judge(cubics: &[Cubic], tolerance: f64, what: &str) -> usize {
     let chain: Vec<Plain> = cubics.iter().map(Plain::of_cubic).collect();
     let fitted: Vec<Plain> = pieces.iter().map(plain).collect();
     for (from, to, name) in [(&chain, &fitted, "chain"), (&fitted, &chain, "fit")] {
-        let field = Field::of_plain(to, if name == "fit" { 512 } else { 64 });
+        let samples = if name == "fit" { 512 } else { 64 };
+        let field = Field::new(to.iter().map(|curve| (*curve, samples)));
         for curve in from {
             for sample in curve.sampled(60) {
                 let off = field.distance(sample);

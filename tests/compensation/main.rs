@@ -1,0 +1,13 @@
+//! Compensation against closed forms, brute force, a control's rule table and symmetries.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod brute;
+mod closed_forms;
+mod corners;
+mod judge;
+mod radii;
+mod reversals;
+mod sketch;
+mod table;
