@@ -14,6 +14,21 @@ export function bad(where, must) {
 }
 
 /**
+ * Whether a value is an object with keys of its own, and no array of any type.
+ *
+ * @param {unknown} value
+ * @returns {value is Record<string, unknown>}
+ */
+export function isPlain(value) {
+  return (
+    typeof value === "object" &&
+    value !== null &&
+    !Array.isArray(value) &&
+    !ArrayBuffer.isView(value)
+  );
+}
+
+/**
  * A plain object with none but the given keys.
  *
  * @param {unknown} value
@@ -22,7 +37,7 @@ export function bad(where, must) {
  * @returns {Record<string, unknown>}
  */
 export function object(value, keys, where) {
-  if (typeof value !== "object" || value === null || Array.isArray(value)) {
+  if (!isPlain(value)) {
     bad(where, "be an object");
   }
   for (const key in value) {
@@ -30,7 +45,7 @@ export function object(value, keys, where) {
       bad(() => property(where, key), `not be there: known are ${[...keys].join(", ")}`);
     }
   }
-  return /** @type {Record<string, unknown>} */ (value);
+  return value;
 }
 
 /**

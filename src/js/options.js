@@ -123,8 +123,8 @@ function tangentBand(value) {
   if (value === "auto") {
     return undefined;
   }
-  const band = finite(value, () => `${at("tangentBand")()}, unless "auto",`);
-  return band >= 0 && band < Math.PI ? band : bad(at("tangentBand"), "be at least 0 and below π");
+  const isBand = typeof value === "number" && value >= 0 && value < Math.PI;
+  return isBand ? value : bad(at("tangentBand"), `be "auto", or at least 0 and below π`);
 }
 
 /**

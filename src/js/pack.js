@@ -2,6 +2,7 @@
 import {
   bad,
   finite,
+  isPlain,
   notSupported,
   object,
   oneOf,
@@ -65,7 +66,7 @@ export function packContours(given) {
  * @param {Where} where
  */
 function packContour(out, given, where) {
-  if (typeof given !== "object" || given === null) {
+  if (!isPlain(given)) {
     bad(() => where() || "contour", "be a contour, an array of contours or a Float64Array");
   }
   const contour = object(given, contourKeys, where);

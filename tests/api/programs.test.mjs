@@ -1,0 +1,106 @@
+// Reading, compensating and writing programs.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { compensate, parseProgram, part, program } from "./sample.mjs";
+
+const tools = { tools: { 1: { radius: 3 } } };
+
+test("a program holds its contours as they could be given from code", () => {
+  const read = parseProgram(program);
+  assert.deepEqual(read.diagnostics, []);
+  assert.equal(read.contours.length, 1);
+  const [contour] = read.contours;
+  const { start, segments, closed, side, tool, leadIn, leadOut, blocks } = contour;
+  assert.deepEqual(
+    [start, closed, side, tool, leadIn, leadOut, blocks],
+    [[0, 0], false, "left", 1, [-20, 0], [-20, 22], [3, 9]],
+  );
+  const plain = segments.map(({ origin: _, ...segment }) => segment);
+  assert.deepEqual(plain, part.segments);
+  assert.deepEqual(segments[0].origin.block, 4);
+  assert.deepEqual(segments[0].origin.number, 40);
+});
+
+test("a programmed contour is compensated from code as in its program", () => {
+  const read = parseProgram(program);
+  const whole = compensate(read, tools);
+  const alone = compensate(read.contours[0], { radius: 3 });
+  const ends = (path) =>
+    path.moves.filter(({ role }) => role !== "free").map(({ kind, role, to }) => [kind, role, to]);
+  assert.deepEqual(ends(alone), ends(whole));
+});
+
+test("a program is compensated again with another tool, without reading it again", () => {
+  const read = parseProgram(program);
+  const first = compensate(read, tools).records();
+  assert.notDeepEqual(compensate(read, { radius: 2 }).records(), first);
+  assert.deepEqual(compensate(read, { radius: 3 }).records(), first);
+  assert.deepEqual(compensate(read, { radius: 2, ...tools }).records(), first, "tools win");
+});
+
+test("moves of a program carry blocks, feeds in mm/min, and free moves", () => {
+  const { moves } = compensate(parseProgram(program), tools);
+  assert.equal(moves[0].kind, "rapid");
+  assert.equal(moves[0].role, "free");
+  const cut = moves.find(({ role }) => role === "segment");
+  assert.equal(cut.feed, 300);
+  assert.deepEqual([cut.origin.block, cut.origin.number], [4, 40]);
+});
+
+test("a tool without radius is a diagnostic", () => {
+  const path = compensate(parseProgram(program));
+  assert.ok(path.diagnostics.some(({ code }) => code === "missing-radius"));
+});
+
+test("what was not understood is a diagnostic with block and column, and comes with the path", () => {
+  const read = parseProgram("G21\nG1 X10 ?? F100\n");
+  const [found] = read.diagnostics;
+  assert.equal(found.severity, "error");
+  assert.deepEqual(found.origin, { block: 2, column: 8 });
+  assert.deepEqual(compensate(read).diagnostics.slice(0, 1), [found]);
+});
+
+test("the programmed contours are drawn as they are understood", () => {
+  const { points, starts, owners } = parseProgram(program).polylines(0.1);
+  assert.deepEqual([...starts], [0]);
+  assert.deepEqual([...points.slice(0, 4)], [0, 0, 10, 0]);
+  assert.deepEqual([...new Set(owners)], [0, 1, 2]);
+});
+
+test("the path is written as plain code, in which nothing is left to compensate", () => {
+  const path = compensate(parseProgram(program), tools);
+  const code = path.gcode();
+  assert.doesNotMatch(code, /G4[12]|G0?5|D1/);
+  assert.match(code, /F300/);
+  assert.match(code, /M30/);
+  const again = parseProgram(code);
+  assert.deepEqual(again.diagnostics, []);
+  assert.equal(path.emit().text, code);
+  assert.deepEqual(path.emit().diagnostics, []);
+});
+
+test("a missing feed is said, or given", () => {
+  const path = compensate(part, { side: "left", radius: 3 });
+  assert.ok(path.emit().diagnostics.some(({ code }) => code === "no-feed"));
+  const { text, diagnostics } = path.emit({ feed: 600, target: "grbl" });
+  assert.match(text, /F600/);
+  assert.deepEqual(diagnostics, []);
+});
+
+test("a coarser tolerance writes fewer blocks", () => {
+  const path = compensate(parseProgram(program), tools);
+  const lines = (tolerance) => path.gcode({ tolerance }).split("\n").length;
+  assert.ok(lines(0.1) < lines(0.0001));
+});
+
+test("noise is read to its end", () => {
+  let state = 1;
+  const letters = Array.from({ length: 200_000 }, () => {
+    state = (state * 48271) % 2147483647;
+    return String.fromCharCode(10 + (state % 118));
+  });
+  const read = parseProgram(letters.join(""));
+  assert.ok(read.diagnostics.length > 0);
+  assert.ok(compensate(read, { radius: 3 }).diagnostics.length > 0);
+});
