@@ -47,6 +47,8 @@ main(async () => {
     WASM_BINDGEN_TEST_WEBDRIVER_JSON: webdriverOptions(browser),
     CHROMEDRIVER: driver,
   });
+  const apiTests = ["--test", "--test-reporter=spec", ...filesIn("tests/api", ".test.mjs")];
+  await tests("public face", "node", node, apiTests);
   const packageTests = ["--test", "--test-reporter=spec", ...filesIn("tests/package", ".test.mjs")];
   await tests("package", "node", node, packageTests, { CHROME_PATH: browser });
   const pageTests = [script("@playwright/test", "playwright"), "test"];
