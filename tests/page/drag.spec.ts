@@ -25,8 +25,14 @@ async function watchFrames(page: Page, around: Point): Promise<() => Promise<num
     const latencies: number[][] = [];
     let frame = 0;
     let moved: { frame: number; before: unknown[]; after: number[] } | undefined;
+    // What is drawn in a frame is read after all of its callbacks have run.
+    const { port1, port2 } = new MessageChannel();
     const tick = () => {
       frame += 1;
+      port2.postMessage(0);
+      requestAnimationFrame(tick);
+    };
+    port1.onmessage = () => {
       if (moved) {
         const { before, after } = moved;
         const now = seen();
@@ -40,7 +46,6 @@ async function watchFrames(page: Page, around: Point): Promise<() => Promise<num
           moved = undefined;
         }
       }
-      requestAnimationFrame(tick);
     };
     requestAnimationFrame(tick);
     overlay.addEventListener(

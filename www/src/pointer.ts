@@ -1,7 +1,7 @@
 // Mouse, pen and touch on the canvas: drag points, pan, pinch, insert.
 
 import { insert, move } from "./actions";
-import { distance, type Point } from "./geometry";
+import { distance, type Point, roundTo } from "./geometry";
 import { nearestOn, segmentAt, typePointAfter } from "./hit";
 import { nearestHandle, type PointRef, pointAtLine } from "./part";
 import type { Stage } from "./stage";
@@ -59,7 +59,14 @@ export function connectPointers(stage: Stage, store: Store): void {
     if (!contour?.editable || !segment) return;
     const points = segment.kind === "spline" ? segment.points.map((node) => node.at) : [];
     const before = typePointAfter(result.programmed, near, points);
-    insert(store, found.contour, found.segment, near.point, before);
+    // Few digits, unless they would leave the line or the circle.
+    const step = dragStep(stage.view.scale);
+    const round: Point = [roundTo(near.point[0], step), roundTo(near.point[1], step)];
+    const stays =
+      segment.kind === "spline" ||
+      (segment.kind === "line" && (nearestOn(result.programmed, round)?.distance ?? 1) < 1e-6);
+    const point = stays ? round : near.point;
+    insert(store, found.contour, found.segment, point, before);
   };
 
   canvas.addEventListener("pointerdown", (event) => {

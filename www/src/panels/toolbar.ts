@@ -72,7 +72,7 @@ export function toolbar(bar: HTMLElement, stage: Stage, store: Store): void {
     "aria-label": "History and view",
   });
   view.append(undo, redo, element("span", { class: "divider" }), out, fit, closer);
-  bar.append(hint, point, view);
+  bar.append(element("div", { class: "strip" }, hint, point), view);
 
   const show = () => {
     const { selection, history } = store.state;
