@@ -6,7 +6,9 @@ import { G41Page, type Point } from "./page";
 const TYPE_POINT: Point = [56, 64];
 const TARGET: Point = [58, 72];
 
-/** After each pointer move, in how many frames program, compensated program and picture changed. */
+/**
+ * How many frames after the one of a pointer move program, compensated program and picture show it.
+ */
 async function watchFrames(page: Page, around: Point): Promise<() => Promise<number[][]>> {
   await page.evaluate(([x, y]) => {
     const output = document.querySelector<HTMLTextAreaElement>("#panel-output textarea");
@@ -25,33 +27,26 @@ async function watchFrames(page: Page, around: Point): Promise<() => Promise<num
     const latencies: number[][] = [];
     let frame = 0;
     let moved: { frame: number; before: unknown[]; after: number[] } | undefined;
-    // What is drawn in a frame is read after all of its callbacks have run.
-    const { port1, port2 } = new MessageChannel();
+    // Before this frame draws, the page is as the frame before has left it.
     const tick = () => {
-      frame += 1;
-      port2.postMessage(0);
-      requestAnimationFrame(tick);
-    };
-    port1.onmessage = () => {
       if (moved) {
-        const { before, after } = moved;
-        const now = seen();
-        now.forEach((value, i) => {
-          if (value !== before[i] && after[i] === undefined) {
-            after[i] = frame - (moved?.frame ?? 0);
-          }
+        const { before, after, frame: first } = moved;
+        seen().forEach((value, i) => {
+          if (value !== before[i]) after[i] ??= Math.max(0, frame - first);
         });
-        if (after.filter((value) => value !== undefined).length === 3) {
+        if (after.filter((value) => value !== undefined).length === before.length) {
           latencies.push(after);
           moved = undefined;
         }
       }
+      frame += 1;
+      requestAnimationFrame(tick);
     };
     requestAnimationFrame(tick);
     overlay.addEventListener(
       "pointermove",
       (event) => {
-        if (event.buttons && !moved) moved = { frame, before: seen(), after: [] };
+        if (event.buttons && !moved) moved = { frame: frame + 1, before: seen(), after: [] };
       },
       { capture: true },
     );
@@ -82,6 +77,7 @@ test("dragging a type point moves tool path and programs within two frames", asy
   }
   await page.mouse.up();
   const seen = await latencies();
+
   expect(seen.length).toBeGreaterThan(5);
   for (const [i, what] of ["program", "compensated program", "picture"].entries()) {
     expect(median(seen.map((each) => each[i] as number)), what).toBeLessThanOrEqual(2);

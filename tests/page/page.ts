@@ -75,16 +75,8 @@ export class G41Page {
 
   /** Waits until the tool path belongs to the text that is shown. */
   async settled(): Promise<void> {
-    // A result needs a turn of the worker and a frame; then nothing moves any more.
-    let before = "";
-    await expect
-      .poll(async () => {
-        const now = (await this.program.inputValue()) + (await this.output.inputValue());
-        const same = now === before;
-        before = now;
-        return same;
-      })
-      .toBe(true);
+    await this.frames(1);
+    await expect(this.page.locator("#stage")).toHaveAttribute("aria-busy", "false");
     await this.frames(2);
   }
 

@@ -16,13 +16,21 @@ export class ComputeClient {
   #waiting: Question | undefined;
   #id = 0;
 
-  constructor(onResult: (result: Result) => void, onFailure: (message: string) => void) {
+  #onBusy: (busy: boolean) => void;
+
+  constructor(
+    onResult: (result: Result) => void,
+    onFailure: (message: string) => void,
+    onBusy: (busy: boolean) => void,
+  ) {
+    this.#onBusy = onBusy;
     this.#worker = new Worker(new URL("./compute.worker.ts", import.meta.url), { type: "module" });
     this.#worker.addEventListener("message", ({ data }: MessageEvent<Reply>) => {
       this.#underWay = false;
       this.#sendWaiting();
       if (data.kind === "result") onResult(data.result);
       else onFailure(data.message);
+      if (!this.#underWay) onBusy(false);
     });
     this.#worker.addEventListener("error", (event) => {
       onFailure(event.message || "the worker could not be started");
@@ -32,7 +40,9 @@ export class ComputeClient {
   /** Asks for the tool path of a text; an older question that was not sent yet is forgotten. */
   ask(question: Question): void {
     this.#waiting = question;
-    if (!this.#underWay) this.#sendWaiting();
+    if (this.#underWay) return;
+    this.#onBusy(true);
+    this.#sendWaiting();
   }
 
   #sendWaiting(): void {

@@ -67,7 +67,11 @@ function cornerOfSelection(result: Result): number | undefined {
   return index < 0 ? undefined : index;
 }
 
-const client = new ComputeClient(take, (message) => store.set({ failure: message }));
+const client = new ComputeClient(
+  take,
+  (message) => store.set({ failure: message }),
+  (busy) => find("stage").setAttribute("aria-busy", String(busy)),
+);
 store.subscribe((state, before) => {
   const { text, settings } = state.history.present;
   const old = before.history.present;
