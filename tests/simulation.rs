@@ -2,8 +2,6 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use std::collections::BTreeMap;
-
 use g41::compensation::Options;
 use g41::contour::{Move, MoveCurve, Role, ToolPath};
 use g41::diagnostic::Severity;
@@ -128,7 +126,7 @@ fn the_path_of_a_cam_stays_at_the_radius_from_its_contour() {
 fn each_contour_has_the_radius_of_its_own_tool() {
     let text = "G0 X0 Y-20\nG41 D1 G1 X0 Y0 F600\nX50\nG40 X50 Y-20\nX0 Y-20\n\
                 G41 D2 X0 Y0\nX50\nG40 X50 Y-20\nX0 Y-20\nG42.1 D8 X0 Y0\nX50\nG40 X50 Y-20\nM30\n";
-    let tools = Tools { radii: BTreeMap::from([(1, 3.0), (2, 5.0)]), default_radius: None };
+    let tools = Tools { radii: vec![(1, 3.0), (2, 5.0)], default_radius: None };
     let path = path_with(text, &tools);
     let heights: Vec<f64> =
         path.moves.iter().filter(|m| m.role == Role::Segment).map(|m| m.curve.end().y).collect();

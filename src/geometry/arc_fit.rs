@@ -232,7 +232,7 @@ fn biarc(start: DVec2, t0: DVec2, end: DVec2, t1: DVec2) -> Option<Vec<ArcOrLine
     let sum = t0 + t1;
     // |end − leg t1 − (start + leg t0)| = 2 leg, a quadratic in the leg.
     let (a, b, c) = (4.0 - sum.length_squared(), 2.0 * v.dot(sum), -v.length_squared());
-    let discriminant = b.mul_add(b, -4.0 * a * c).max(0.0).sqrt();
+    let discriminant = (b * b - 4.0 * a * c).max(0.0).sqrt();
     // The positive root in the form without cancellation.
     let leg = if b + discriminant > 0.0 { -2.0 * c / (b + discriminant) } else { return None };
     let joint = (start + t0 * leg).midpoint(end - t1 * leg);

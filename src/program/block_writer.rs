@@ -73,7 +73,7 @@ impl BlockWriter {
             self.motion = Some('0');
         }
         // Coordinate systems: the same numbers are another place now.
-        if words.contains("G5") {
+        if words.as_bytes().windows(2).any(|pair| pair == b"G5") {
             self.stated = false;
         }
         self.text.push_str(words);

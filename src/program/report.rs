@@ -1,6 +1,7 @@
 //! A list of diagnostics that stays short however bad the program is.
 
 use crate::diagnostic::{Diagnostic, Origin};
+use crate::geometry::sort_short;
 
 /// How many diagnostics of one code are listed; the rest are only counted, so that a file of
 /// noise gives a list that can be read and sent on.
@@ -48,7 +49,7 @@ impl Report {
                 self.diagnostics.push(Diagnostic { message, ..first });
             }
         }
-        self.diagnostics.sort_by_key(|diagnostic| match diagnostic.origin {
+        sort_short(&mut self.diagnostics, |diagnostic| match diagnostic.origin {
             Some(Origin::Block { line, column, .. }) => (line, column.unwrap_or(0)),
             _ => (u32::MAX, 0),
         });

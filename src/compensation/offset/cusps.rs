@@ -102,7 +102,9 @@ impl Terms {
         };
         let (slowest, fastest) = range(&self.speed_squared);
         let (least, most) = range(&self.bend);
-        let (slowest, fastest) = (slowest.max(0.0).powf(1.5), fastest.powf(1.5));
+        // Speed cubed, from its square.
+        let cubed = |squared: f64| squared * squared.sqrt();
+        let (slowest, fastest) = (cubed(slowest.max(0.0)), cubed(fastest));
         if slowest > most {
             Sign::Positive
         } else if fastest < least {

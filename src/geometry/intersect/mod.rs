@@ -12,6 +12,8 @@ mod spline_spline;
 
 use glam::DVec2;
 
+use super::sort_short;
+
 pub use arc_arc::arc_arc;
 pub use arc_spline::arc_cubic;
 pub use line_arc::{line_arc, line_circle};
@@ -67,7 +69,7 @@ impl Intersections {
     }
 
     fn sorted(mut points: Vec<Crossing>) -> Self {
-        points.sort_by(|a, b| a.t.total_cmp(&b.t));
+        sort_short(&mut points, |crossing| crossing.t);
         Self::Points(points)
     }
 }
