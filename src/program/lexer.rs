@@ -73,7 +73,7 @@ impl<'a> Lexer<'a> {
 
     /// Moves on by the first `bytes` of the rest, which are whole characters, and returns them.
     fn take(&mut self, bytes: usize) -> &'a str {
-        let (taken, rest) = self.rest.split_at(bytes);
+        let (taken, rest) = self.rest.split_at_checked(bytes).unwrap_or((self.rest, ""));
         self.rest = rest;
         let characters = u32::try_from(taken.chars().count()).unwrap_or(u32::MAX);
         self.column = self.column.saturating_add(characters);
@@ -132,7 +132,8 @@ impl<'a> Lexer<'a> {
             _ => {
                 let column = self.column;
                 let text = self.take_while(|c| {
-                    !(c.is_ascii_alphanumeric() || c.is_whitespace() || "(;#[+-.".contains(c))
+                    let known = matches!(c, '(' | ';' | '#' | '[' | '+' | '-' | '.');
+                    !(c.is_ascii_alphanumeric() || c.is_whitespace() || known)
                 });
                 let message = format!("{} is no part of a program", quote(text));
                 self.error("unexpected-character", message, column, "");
@@ -157,9 +158,9 @@ impl<'a> Lexer<'a> {
 
     /// Whether the O word ahead calls or defines a subprogram.
     fn is_flow(&self) -> bool {
-        let after = self.rest[1..].trim_start();
+        let after = self.rest.get(1..).unwrap_or_default().trim_start();
         let name = after.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
-        let word = &name[..name.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(name.len())];
+        let word = name.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default();
         after.starts_with('<') || FLOW_WORDS.iter().any(|flow| word.eq_ignore_ascii_case(flow))
     }
 

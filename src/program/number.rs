@@ -39,7 +39,7 @@ pub(super) fn push_scaled(text: &mut String, scaled: i64, decimals: usize) {
     }
     let digits = scaled.unsigned_abs().to_string();
     let whole_digits = digits.len().saturating_sub(decimals);
-    let (whole, fraction) = digits.split_at(whole_digits);
+    let (whole, fraction) = digits.split_at_checked(whole_digits).unwrap_or((&digits, ""));
     text.push_str(if whole.is_empty() { "0" } else { whole });
     let fraction = fraction.trim_end_matches('0');
     if !fraction.is_empty() {

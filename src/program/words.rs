@@ -33,7 +33,7 @@ impl<'a> Words<'a> {
 
     /// Whether one of the letters is there.
     pub(super) fn has_any(&self, letters: &str) -> bool {
-        self.unused().any(|(_, word)| letters.contains(word.letter))
+        self.unused().any(|(_, word)| letters.chars().any(|letter| letter == word.letter))
     }
 
     /// Takes the word with `letter`.
@@ -46,7 +46,7 @@ impl<'a> Words<'a> {
     /// Takes all words with one of the letters.
     pub(super) fn take_all(&mut self, letters: &str) {
         for (index, word) in self.block.words.iter().enumerate() {
-            if letters.contains(word.letter) {
+            if letters.chars().any(|letter| letter == word.letter) {
                 self.use_up(index);
             }
         }
