@@ -3,7 +3,7 @@
 import { canDelete, deletePoint, insertPoint, movePoint, setKind } from "./edits";
 import type { Example } from "./examples";
 import { type Point, roundTo } from "./geometry";
-import type { Settings } from "./parameters";
+import { INITIAL_SETTINGS, type Settings } from "./parameters";
 import { locate, type Part, type PointRef, type SegmentKind } from "./part";
 import { rewrite, withSide } from "./program-text";
 import { NO_PART, type Store } from "./state";
@@ -13,7 +13,7 @@ const FINEST = 0.001;
 
 /** Opens an example; it can be undone like any edit. */
 export function openExample(store: Store, example: Example): void {
-  const settings = { ...store.document.settings, ...example.settings };
+  const settings = { ...INITIAL_SETTINGS, ...example.settings };
   store.edit({ text: example.text, part: NO_PART, partText: "", settings }, undefined, undefined);
   store.set({ corner: undefined, selection: undefined, chosen: undefined });
 }
@@ -61,10 +61,12 @@ export function setText(store: Store, text: string, gesture?: string): void {
   if (text !== store.document.text) store.edit({ text }, gesture);
 }
 
-/** Changes the side of all contours in the text. */
+/** Changes the side of all contours, which is a word of the program. */
 export function setSide(store: Store, side: "left" | "right"): void {
-  const { text, part } = store.document;
-  setText(store, withSide(text, part, side));
+  const { text, part, partText } = store.document;
+  if (text !== partText) return;
+  const written = withSide(text, part, side);
+  store.edit({ ...written, partText: written.text });
 }
 
 /** Changes settings; `gesture` joins the steps of one slide. */

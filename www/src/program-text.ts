@@ -38,18 +38,25 @@ export function rewrite(text: string, part: Part, index: number): Written {
   return { text: [...writer.lines, ...rest].join("\n"), part: { contours } };
 }
 
-/** Changes the side of one contour, or of all, in the text. */
-export function withSide(text: string, part: Part, side: "left" | "right"): string {
-  const lines = text.split("\n");
+/** Changes the side of all contours. */
+export function withSide(text: string, part: Part, side: "left" | "right"): Written {
   const word = side === "left" ? "G41" : "G42";
-  for (const { blocks } of part.contours) {
-    for (let i = blocks[0] - 1; i < blocks[1]; i += 1) {
-      lines[i] = (lines[i] ?? "").replace(/(\([^)]*\))|\bG4[12](?![\d])/gi, (found, comment) =>
-        comment ? found : word,
-      );
-    }
-  }
-  return lines.join("\n");
+  const change = (line: string) =>
+    line.replace(/(\([^)]*\))|(?<![A-Z])G4[12](?!\d)/gi, (found, comment) =>
+      comment ? found : word,
+    );
+  const inside = (line: number) =>
+    part.contours.some(({ blocks }) => line >= blocks[0] && line <= blocks[1]);
+  const lines = text.split("\n").map((line, i) => (inside(i + 1) ? change(line) : line));
+  const contours = part.contours.map((contour): Contour => {
+    const { words } = contour.start;
+    const start = words && {
+      ...contour.start,
+      words: { ...words, modal: change(words.modal), before: words.before.map(change) },
+    };
+    return { ...contour, side, start: start ?? contour.start };
+  });
+  return { text: lines.join("\n"), part: { contours } };
 }
 
 function shifted(contour: Contour, by: number): Contour {

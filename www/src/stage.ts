@@ -15,7 +15,7 @@ const TOOL_REACH = 70;
 /** How near the pointer must be to a corner to show its construction [px]. */
 const CORNER_REACH = 44;
 /** Room around the part [px]. */
-const MARGIN = 56;
+const MARGIN = 40;
 
 /** Shows the state on a pair of canvases. */
 export class Stage {
@@ -70,7 +70,8 @@ export class Stage {
   /** Shows the whole part, as soon as it is known. */
   fit(): void {
     const { result } = this.#store.state;
-    const box = result && boxOf(result.programmed.points, result.path.points);
+    const room = Math.min(50, Math.abs(this.#store.document.settings.radius));
+    const box = result && boxOf(room, result.programmed.points, result.path.points);
     if (!box || this.#size.width < 2) {
       this.#fitWanted = true;
       return;

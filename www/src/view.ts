@@ -71,8 +71,8 @@ export function fitted(box: Box, size: Size, margins: Margins): View {
   };
 }
 
-/** The smallest box around points given as x0, y0, x1, y1, …; undefined for none. */
-export function boxOf(...arrays: ArrayLike<number>[]): Box | undefined {
+/** The box around points given as x0, y0, x1, y1, …, with room around it; undefined for none. */
+export function boxOf(room: number, ...arrays: ArrayLike<number>[]): Box | undefined {
   let [x0, y0, x1, y1] = [Infinity, Infinity, -Infinity, -Infinity];
   for (const points of arrays) {
     for (let i = 0; i + 1 < points.length; i += 2) {
@@ -83,7 +83,8 @@ export function boxOf(...arrays: ArrayLike<number>[]): Box | undefined {
       y1 = Math.max(y1, y);
     }
   }
-  return x0 <= x1 ? { min: [x0, y0], max: [x1, y1] } : undefined;
+  if (x0 > x1) return undefined;
+  return { min: [x0 - room, y0 - room], max: [x1 + room, y1 + room] };
 }
 
 /** The distance of grid lines [mm]: 1, 2 or 5 times a power of ten, at least `pixels` apart. */

@@ -45,10 +45,11 @@ function drawMaterial(
   radius: number,
 ): void {
   const material = new Path2D();
-  for (const closed of shapes.closed) {
-    if (!liesInside(closed, result)) material.rect(-FAR, -FAR, 2 * FAR, 2 * FAR);
-    material.addPath(closed.path);
+  // Pockets without an outline around them are cut into a plate without end.
+  if (!shapes.closed.some((closed) => liesInside(closed, result)) && shapes.closed.length > 0) {
+    material.rect(-FAR, -FAR, 2 * FAR, 2 * FAR);
   }
+  for (const { path } of shapes.closed) material.addPath(path);
   context.fillStyle = palette.material;
   context.fill(material, "evenodd");
   context.lineJoin = "round";

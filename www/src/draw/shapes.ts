@@ -53,7 +53,9 @@ function pathShapes(result: Result): Pick<Shapes, "cut" | "leads"> {
 
 function rapidShape({ records, stride }: Result): Path2D {
   const rapids = new Path2D();
-  for (let at = 0; at + stride <= records.length; at += stride) {
+  // The first rapid is left out: it comes from where the tool stood before, which nobody knows.
+  const first = records[FIELD.kind] === RAPID ? stride : 0;
+  for (let at = first; at + stride <= records.length; at += stride) {
     if (records[at + FIELD.kind] !== RAPID) continue;
     const [from, to] = [at + FIELD.from, at + FIELD.to];
     rapids.moveTo(records[from] as number, records[from + 1] as number);

@@ -82,18 +82,34 @@ export function drawConstruction(
     context.lineWidth = 1.5;
     dot(context, at, 3.25, palette.paper, name === "P" ? palette.ink : color);
   }
-  // Names stand clear of the corner and of each other, however small the tool is on the screen.
-  for (const [name, point] of named) {
-    if (name === "P") continue;
-    const at = screen(point);
-    const away = outwards(center, at);
+  const marked = grouped(
+    named.filter(([name]) => name !== "P").map(([name, p]) => [name, screen(p)]),
+  );
+  for (const [names, at] of marked) {
     const clear = Math.max(15, 30 - distance(center, at));
-    label(context, name, along(at, away, clear), palette.ink, palette.paper);
+    const wide = names.length > 2 ? 4 * (names.length - 2) * Math.abs(outwards(center, at)[0]) : 0;
+    label(
+      context,
+      names,
+      along(at, outwards(center, at), clear + wide),
+      palette.ink,
+      palette.paper,
+    );
   }
-  const taken = named
-    .filter(([name]) => name !== "P")
-    .map(([, point]) => outwards(center, screen(point)));
+  const taken = marked.map(([, at]) => outwards(center, at));
   label(context, "P", along(center, widest(taken, both), 16), palette.ink, palette.paper);
+}
+
+/** Names of points that are too near to each other to be told apart, joined. */
+function grouped(points: readonly (readonly [string, Point])[]): (readonly [string, Point])[] {
+  const groups: (readonly [string, Point])[] = [];
+  for (const [name, at] of points) {
+    const near = groups.findIndex(([, other]) => distance(at, other) < 11);
+    const group = groups[near];
+    if (group) groups[near] = [`${group[0]} ${name}`, group[1]];
+    else groups.push([name, at]);
+  }
+  return groups;
 }
 
 /** The arc of the angle α, on the side of the workpiece, and its value. */

@@ -33,7 +33,8 @@ export function diagnosticsPanel(
     const button = element("button", { type: "button", "data-key": keyOf(diagnostic) });
     const line = lineOf(diagnostic);
     const place = line === undefined ? "" : `line ${line}`;
-    const depth = diagnostic.depth === undefined ? "" : `${diagnostic.depth.toFixed(3)} mm deep`;
+    const deep = diagnostic.severity !== "info" && diagnostic.depth !== undefined;
+    const depth = deep ? `${diagnostic.depth?.toFixed(3)} mm deep` : "";
     button.append(
       element("span", { class: "severity" }, MARKS[diagnostic.severity]),
       element("span", { class: "message" }, diagnostic.message),
