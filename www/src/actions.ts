@@ -49,7 +49,14 @@ export function deleteSelected(store: Store): void {
 
 /** Changes the segment of the selected point into another kind. */
 export function changeKind(store: Store, ref: PointRef, kind: SegmentKind): void {
-  const part = setKind(store.document.part, ref, kind);
+  const before = store.document.part;
+  const part = setKind(before, ref, kind);
+  const own = (of: Part) => of.contours[ref.contour]?.segments[ref.segment];
+  if (own(part) === own(before)) {
+    // Not possible: the controls show again what is.
+    store.set({ selection: { ...ref } });
+    return;
+  }
   const role = kind === "spline" ? "type" : kind === "arc" ? "middle" : "end";
   const wanted: PointRef = { ...ref, role, index: 0 };
   const kept = locate(part, wanted) ? wanted : { ...wanted, role: "start" as const, segment: -1 };

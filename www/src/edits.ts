@@ -141,6 +141,7 @@ function convert(segment: Segment, from: Point, kind: SegmentKind, side: string)
   const end = endNode(segment);
   const outwards = along([0, 0], perp(direction(from, end.at)), side === "left" ? 1 : -1);
   const chord = distance(from, end.at);
+  if (coincide(from, end.at)) return convertClosed(segment, from, kind);
   switch (kind) {
     case "line":
       return { kind, end };
@@ -160,6 +161,24 @@ function convert(segment: Segment, from: Point, kind: SegmentKind, side: string)
       return { kind, points: [...places.map((at) => ({ at, line: 0 })), end] };
     }
   }
+}
+
+/** A segment that ends where it starts can be a circle or a spline, but not a line. */
+function convertClosed(segment: Segment, from: Point, kind: SegmentKind): Segment {
+  const end = endNode(segment);
+  if (kind === "arc" && segment.kind === "spline") {
+    const { points } = segment;
+    const opposite = points[Math.floor((points.length - 1) / 2)]?.at ?? from;
+    const quarter = points[Math.floor((points.length - 1) / 4)]?.at ?? from;
+    if (coincide(opposite, from)) return segment;
+    const clockwise = turnsRight(from, quarter, opposite);
+    return { kind, end, center: between(from, opposite, 0.5), clockwise };
+  }
+  if (kind === "spline" && segment.kind === "arc") {
+    const places = quarters(from, end.at, segment.center, segment.clockwise);
+    return { kind, points: [...places.map((at) => ({ at, line: 0 })), end] };
+  }
+  return segment;
 }
 
 /** Points on an arc between its ends. */
