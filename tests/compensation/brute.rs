@@ -24,22 +24,6 @@ impl Offset {
         }
         Self { points, bend }
     }
-
-    /// The point at sample `at`, whole or between two.
-    pub(crate) fn point(&self, at: f64) -> DVec2 {
-        let (i, t) = self.locate(at);
-        self.points[i].lerp(self.points[i + 1], t)
-    }
-
-    #[expect(
-        clippy::cast_possible_truncation,
-        clippy::cast_sign_loss,
-        reason = "0 ≤ at ≤ number of samples"
-    )]
-    fn locate(&self, at: f64) -> (usize, f64) {
-        let i = (at.floor() as usize).min(self.points.len() - 2);
-        (i, at - i as f64)
-    }
 }
 
 /// A place where two sampled offsets cross.

@@ -8,6 +8,7 @@ mod closed_forms;
 mod corners;
 mod judge;
 mod radii;
+mod random_contours;
 mod reversals;
 mod sketch;
 mod table;
