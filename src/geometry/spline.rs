@@ -56,11 +56,15 @@ impl Parameter {
     }
 }
 
+/// Shortest parameter interval of a span, as a fraction of all: below it the difference of two
+/// knots is made of rounding. Of a spline of a metre that is less than [`MIN_LENGTH`].
+const LEAST_INTERVAL: f64 = 1e-13;
+
 /// The C2 cubic spline through type points.
 ///
 /// # Guarantees
 /// All type points are finite and within [`MAX_COORDINATE`](super::MAX_COORDINATE), successive
-/// ones at least [`MIN_LENGTH`] apart. There are at least two spans, or one with a tangent given
+/// ones at least [`MIN_LENGTH`] and 1e-13 of the curve apart. There are at least two spans, or one with a tangent given
 /// at an end. There is one cubic for each span, and they join with equal first and second
 /// derivative by the spline's parameter. A periodic spline repeats its first type point as its
 /// last.
@@ -105,6 +109,12 @@ impl Spline {
             }
         }
         let knots = knots_of(&points, parameter);
+        let total = knots[knots.len() - 1];
+        for (i, pair) in knots.windows(2).enumerate() {
+            if pair[1] - pair[0] <= LEAST_INTERVAL * total {
+                return Err(CurveError::CoincidentPoints { index: i + 1 });
+            }
+        }
         let derivatives = match ends {
             SplineEnds::Open { start, end } => open_derivatives(&points, &knots, start, end),
             SplineEnds::Periodic => {
