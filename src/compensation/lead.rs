@@ -48,8 +48,7 @@ pub(super) fn lead_in(from: DVec2, outgoing: &Run, tool: Tool, options: &Options
             if !around {
                 return straight(Some((kind, angle)), vertices.construction());
             }
-            let joint =
-                around_corner(kind, &vertices, [false, outgoing.is_straight()], tool, options);
+            let joint = around_corner(kind, &vertices, [None, Some(outgoing)], tool, options);
             LeadJoint { end: vertices.n1, corner: Some((kind, angle)), joint }
         }
     }
@@ -77,8 +76,7 @@ pub(super) fn lead_out(incoming: &Run, to: DVec2, tool: Tool, options: &Options)
             if !around {
                 return straight(Some((kind, angle)), vertices.construction());
             }
-            let joint =
-                around_corner(kind, &vertices, [incoming.is_straight(), false], tool, options);
+            let joint = around_corner(kind, &vertices, [Some(incoming), None], tool, options);
             LeadJoint { end: vertices.n2, corner: Some((kind, angle)), joint }
         }
     }
@@ -88,16 +86,22 @@ pub(super) fn lead_out(incoming: &Run, to: DVec2, tool: Tool, options: &Options)
 fn around_corner(
     kind: TransitionKind,
     vertices: &Vertices,
-    straight: [bool; 2],
+    runs: [Option<&Run>; 2],
     tool: Tool,
     options: &Options,
 ) -> Joint {
     match (options.corner, kind) {
         (CornerStyle::Arc, _) => round_the_corner(vertices, tool),
         (CornerStyle::Linear, TransitionKind::Inserted) => {
-            inserted(vertices, straight[0], straight[1])
+            let [incoming, outgoing] = runs.map(|run| run.is_some_and(Run::is_straight));
+            inserted(vertices, incoming, outgoing)
         }
-        (CornerStyle::Linear, _) => elongated(vertices, straight[0], straight[1]),
+        (CornerStyle::Linear, _) => {
+            // A spline through moved type points itself begins or ends at V.
+            let leg = |run: &Run| run.is_straight() || run.polygon.is_some();
+            let [incoming, outgoing] = runs.map(|run| run.is_some_and(leg));
+            elongated(vertices, incoming, outgoing)
+        }
     }
 }
 
