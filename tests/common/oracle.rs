@@ -50,8 +50,7 @@ impl Plain {
     pub(crate) fn samples(&self) -> usize {
         match self {
             Self::Line(..) => 16,
-            Self::Arc { .. } => 96,
-            Self::Bezier(_) => 48,
+            Self::Arc { .. } | Self::Bezier(_) => 96,
         }
     }
 

@@ -1,5 +1,7 @@
 //! Radii: zero, negative, larger than the part.
 
+use std::f64::consts::FRAC_PI_6;
+
 use g41::compensation::{CornerStyle, Options, SplineMethod};
 use g41::contour::{Side, Tool};
 use g41::diagnostic::Severity;
@@ -84,10 +86,7 @@ fn a_tool_larger_than_the_part_is_reported_and_harms_nothing() {
     let square = [p(10.0, 0.0), p(10.0, 10.0), p(0.0, 10.0), p(0.0, 0.0)];
     let circle = arc(p(10.0, 0.0), p(5.0, 0.0), false);
     let wave: Vec<DVec2> = (1..=12)
-        .map(|i| {
-            DVec2::from_angle(f64::from(i) * 0.523_598_775_598_298_9)
-                * if i % 2 == 0 { 10.0 } else { 7.0 }
-        })
+        .map(|i| DVec2::from_angle(f64::from(i) * FRAC_PI_6) * if i % 2 == 0 { 10.0 } else { 7.0 })
         .collect();
     let mut closed_wave = wave.clone();
     closed_wave[11] = p(10.0, 0.0);

@@ -26,7 +26,7 @@ const CASES: u32 = if cfg!(target_arch = "wasm32") { 500 } else { 10_000 };
 const SAMPLES: usize = 160;
 
 /// A contour that wanders: segments of random kinds and lengths with random turns between them.
-fn wandering(random: &mut Random) -> Sketch {
+pub(crate) fn wandering(random: &mut Random) -> Sketch {
     let start = random.point(50.0);
     let (mut at, mut heading) = (start, random.within(0.0, TAU));
     let mut shapes = Vec::new();
@@ -64,7 +64,7 @@ fn wandering(random: &mut Random) -> Sketch {
 }
 
 /// A closed contour about the origin, run round it in either sense.
-fn star(random: &mut Random) -> Sketch {
+pub(crate) fn star(random: &mut Random) -> Sketch {
     let count = 2 + random.index(6);
     let step = random.sign() * TAU / count as f64;
     let mut corners = Vec::with_capacity(count);
@@ -99,7 +99,7 @@ fn star(random: &mut Random) -> Sketch {
 
 /// Why a contour is not taken.
 #[derive(Debug, Clone, Copy)]
-enum Rejection {
+pub(crate) enum Rejection {
     /// A bend is tighter than the tool, or nearly.
     Bend,
     /// At an inside corner the offsets do not cross, or too near to an end, or in too small an
@@ -110,7 +110,7 @@ enum Rejection {
 }
 
 /// The parts of the true offsets that remain, as samples, if the contour is gouge-free.
-fn check(
+pub(crate) fn check(
     contour: &Contour,
     field: &Field,
     side: Side,
