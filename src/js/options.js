@@ -33,12 +33,26 @@ const here = () => "options";
 const defaultTolerance = 0.001;
 
 /**
+ * Finest tolerance [mm]: a nanometre, below which any work takes long and nothing is gained.
+ */
+const finestTolerance = 1e-6;
+
+/**
+ * @param {unknown} value
+ * @param {Where} where
+ */
+function toleranceAt(value, where) {
+  const number = finite(value, where);
+  return number >= finestTolerance ? number : bad(where, "be at least 1e-6 mm");
+}
+
+/**
  * A tolerance that is an argument of its own.
  *
  * @param {unknown} value
  */
 export function tolerance(value) {
-  return optional(value, positive, () => "tolerance") ?? defaultTolerance;
+  return optional(value, toleranceAt, () => "tolerance") ?? defaultTolerance;
 }
 
 /** @param {unknown} given */
@@ -81,7 +95,7 @@ export function gcodeOptions(given = {}) {
   }
   optional(target, (value) => oneOf(value, ["grbl"], at("target")));
   return {
-    tolerance: optional(options.tolerance, positive, at("tolerance")) ?? defaultTolerance,
+    tolerance: optional(options.tolerance, toleranceAt, at("tolerance")) ?? defaultTolerance,
     feed: optional(options.feed, positive, at("feed")),
   };
 }
@@ -101,7 +115,7 @@ function settings(options) {
     }
   }
   return /** @type {const} */ ([
-    optional(options.tolerance, positive, at("tolerance")),
+    optional(options.tolerance, toleranceAt, at("tolerance")),
     optional(options.spline, (value) => oneOf(value, splines, at("spline"))),
     optional(options.corner, (value) => oneOf(value, corners, at("corner"))),
     optional(options.lead, (value) => oneOf(value, leads, at("lead"), laterLeads)),

@@ -1,7 +1,7 @@
 /// <reference lib="esnext.disposable" />
 
 // The public face of the package. Lengths are in mm, angles in rad and counter-clockwise positive,
-// feeds in mm/min. Coordinates are those of the program, with y up.
+// feeds in mm/min. Coordinates are those of the program, with y up. Tolerances are at least 1e-6 mm.
 
 // --- Loading -----------------------------------------------------------------------------------
 

@@ -100,6 +100,7 @@ test("options for contours", () => {
     [{ ...left, radius: 2e9 }, "options.radius"],
     [{ ...left, tolerance: 0 }, "options.tolerance"],
     [{ ...left, tolerance: -1 }, "options.tolerance"],
+    [{ ...left, tolerance: 1e-7 }, "options.tolerance"],
     [{ ...left, tolerance: Number.POSITIVE_INFINITY }, "options.tolerance"],
     [{ ...left, spline: "fast" }, "options.spline"],
     [{ ...left, corner: "round" }, "options.corner"],
@@ -171,5 +172,5 @@ test("polylines that would not fit into memory are refused", () => {
     start: [1e8, 0],
     segments: [{ kind: "arc", to: [1e8, 0], center: [0, 0], clockwise: true }],
   }));
-  throwsCode(() => flatten(circles, 1e-9), "bad-argument", "tolerance");
+  throwsCode(() => flatten(circles, 1e-6), "bad-argument", "tolerance");
 });
