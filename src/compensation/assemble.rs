@@ -1,5 +1,7 @@
 //! Stringing runs and transitions together to a tool path.
 
+use glam::DVec2;
+
 use super::joint::{Solved, solve};
 use super::lead::{LeadJoint, lead_in, lead_out};
 use super::path::{PathBuilder, between};
@@ -12,17 +14,20 @@ use crate::contour::{
     Attributes, Contour, Lead, MoveCurve, Role, Tool, ToolPath, Transition, TransitionKind,
 };
 use crate::diagnostic::Diagnostic;
-use crate::geometry::{Decimal, Line};
+use crate::geometry::{Curve, Decimal, Line};
 
 /// The path of the centre of `tool` along `contour`.
 ///
-/// The path of lines and arcs is exact, that of splines within `options.tolerance`. It is what a
+/// The path of lines and arcs is exact, that of splines within `options.tolerance`, or within 1e-11
+/// of its largest coordinate where that is more. It is what a
 /// control without a look-ahead beyond the corner would cut: gouges of one segment or one corner
 /// are reported in [`ToolPath::gouges`] and as diagnostics with segment, point and depth; gouges
 /// between distant segments are not looked for. A contour that is closed, and has no lead-in or
 /// lead-out, is joined at its start too, and its path ends where it starts.
 #[must_use]
 pub fn compensate(contour: &Contour, tool: Tool, options: &Options) -> ToolPath {
+    let finest = finest_tolerance(contour, tool);
+    let options = &Options { tolerance: options.tolerance.max(finest), ..*options };
     let runs: Vec<Run> =
         contour.segments().iter().map(|segment| Run::new(segment, tool, options)).collect();
     let leads = [contour.lead_in(), contour.lead_out()];
@@ -44,6 +49,18 @@ pub fn compensate(contour: &Contour, tool: Tool, options: &Options) -> ToolPath 
         lead_out: leads[1].map(|lead| (lead, lead_out(last, lead.point, tool, options))),
     };
     assembly.build()
+}
+
+/// The finest tolerance that the digits of the coordinates can keep [mm]: 1e-11 of the largest
+/// coordinate of the path, which is 5 digits above its rounding.
+fn finest_tolerance(contour: &Contour, tool: Tool) -> f64 {
+    let largest = |point: DVec2| point.abs().max_element();
+    let farthest = contour.segments().iter().map(|segment| match &segment.curve {
+        Curve::Line(line) => largest(line.end()),
+        Curve::Arc(arc) => largest(arc.end()) + 2.0 * arc.radius(),
+        Curve::Spline(spline) => spline.points().iter().copied().map(largest).fold(0.0, f64::max),
+    });
+    1e-11 * (farthest.fold(largest(contour.start()), f64::max) + tool.radius())
 }
 
 /// Everything solved, to be strung together.
@@ -127,7 +144,7 @@ impl Assembly<'_> {
         builder: &mut PathBuilder,
         solved: &LeadJoint,
         attributes: &Attributes,
-        corner: glam::DVec2,
+        corner: DVec2,
     ) {
         let Some((kind, angle)) = solved.corner else { return };
         builder.path.transitions.push(Transition {
@@ -241,12 +258,18 @@ impl Assembly<'_> {
             return;
         }
         let (moves, backwards) = run.between(start, end);
+        let around = i.saturating_sub(1)..(i + 2).min(self.runs.len());
+        let segments: Vec<_> = self.runs[around].iter().map(|run| run.segment).collect();
         for bend in run.bends.iter().filter(|bend| bend.depth > tolerance) {
-            report::bend(&mut builder.path, bend, attributes.origin, self.tool);
+            // A spline's bend was measured on the whole spline; an arc may cut its neighbours
+            // deeper than itself.
+            let bend = match run.segment.curve {
+                Curve::Arc(_) => report::deeper(bend, &moves, &segments, self.tool),
+                _ => *bend,
+            };
+            report::bend(&mut builder.path, &bend, attributes.origin, self.tool);
         }
         if backwards {
-            let around = i.saturating_sub(1)..(i + 2).min(self.runs.len());
-            let segments: Vec<_> = self.runs[around].iter().map(|run| run.segment).collect();
             report::backwards(
                 &mut builder.path,
                 &segments,

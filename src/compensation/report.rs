@@ -31,6 +31,12 @@ pub(super) fn bend(path: &mut ToolPath, bend: &Bend, origin: Origin, tool: Tool)
     );
 }
 
+/// The bend, or the deeper cut that the moves along it make into the segments around it.
+pub(super) fn deeper(bend: &Bend, moves: &[MoveCurve], segments: &[&Segment], tool: Tool) -> Bend {
+    let (depth, at) = depth_of(moves, segments, tool, bend.at);
+    if depth > bend.depth { Bend { at, depth, ..*bend } } else { *bend }
+}
+
 /// Reports an inside corner whose offsets do not meet.
 pub(super) fn missed_corner(
     path: &mut ToolPath,
