@@ -86,3 +86,23 @@ test("every example of the gallery has a tool path without errors", async ({ pag
   }
   expect(g41.errors).toEqual([]);
 });
+
+test("the program is kept over a reload, and the gallery says when it is nobody's", async ({
+  page,
+}) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const menu = page.getByLabel("Example");
+  await expect(menu).toHaveValue("rocker");
+  const text = (await g41.program.inputValue()).replace("N100 X70 Y57", "N100 X71 Y58");
+  await g41.program.fill(text);
+  await expect(menu).toHaveValue("");
+  await page.waitForTimeout(600);
+  await page.reload();
+  await expect(g41.program).toHaveValue(text);
+  await expect(g41.output).toHaveValue(/G1/);
+  await menu.selectOption("rocker");
+  await expect(g41.program).not.toHaveValue(text);
+  await page.keyboard.press("Control+z");
+  await expect(g41.program).toHaveValue(text);
+});

@@ -19,6 +19,7 @@ export function connectKeys(stage: Stage, store: Store): void {
   let nudge = 0;
   canvas.addEventListener("keydown", (event) => {
     const arrow = ARROWS[event.key];
+    if (event.key === "Tab" || arrow) canvas.classList.remove("by-pointer");
     if (event.key === "Tab") {
       if (walk(stage, store, event.shiftKey ? -1 : 1)) event.preventDefault();
     } else if (arrow) {

@@ -7,6 +7,7 @@ import "./style/layout.css";
 import "./style/panels.css";
 import "./style/narrow.css";
 import { openExample } from "./actions";
+import { autosave, restore } from "./autosave";
 import { ComputeClient } from "./compute-client";
 import { EXAMPLES } from "./examples";
 import { showpiece } from "./hit";
@@ -14,7 +15,8 @@ import { connectKeys } from "./keyboard";
 import { codePanel } from "./panels/code-panel";
 import { description } from "./panels/description";
 import { diagnosticsPanel } from "./panels/diagnostics-panel";
-import { element, find } from "./panels/elements";
+import { find } from "./panels/elements";
+import { galleryMenu } from "./panels/gallery-menu";
 import { legend } from "./panels/legend";
 import { parametersPanel } from "./panels/parameters-panel";
 import { toolbar } from "./panels/toolbar";
@@ -31,11 +33,12 @@ import { toWorld } from "./view";
 const first = EXAMPLES[0];
 if (!first) throw new Error("the gallery is empty");
 
+const saved = restore();
 const store = new Store({
-  text: first.text,
+  text: saved?.text ?? first.text,
   part: NO_PART,
   partText: "",
-  settings: { ...INITIAL_SETTINGS, ...first.settings },
+  settings: saved?.settings ?? { ...INITIAL_SETTINGS, ...first.settings },
 });
 
 const readout = find("readout");
@@ -92,15 +95,14 @@ legend(find("legend"), store);
 description(find("description"), store);
 connectScheme(find("scheme"), (scheme) => stage.setScheme(scheme));
 
-const menu = find<HTMLSelectElement>("example");
-for (const { id, name, note } of EXAMPLES) {
-  menu.append(element("option", { value: id, title: note }, name));
-}
-menu.addEventListener("change", () => {
-  const example = EXAMPLES.find(({ id }) => id === menu.value);
-  if (!example) return;
-  stage.fitNext();
-  openExample(store, example);
-});
+galleryMenu(
+  find<HTMLSelectElement>("example"),
+  (example) => {
+    stage.fitNext();
+    openExample(store, example);
+  },
+  store,
+);
+autosave(store);
 
 client.ask({ text: store.document.text, settings: store.document.settings });

@@ -73,6 +73,8 @@ export function connectPointers(stage: Stage, store: Store): void {
     const at = place(event);
     pointers.set(event.pointerId, at);
     canvas.setPointerCapture(event.pointerId);
+    // Who points sees where; the ring is for those who came by keys.
+    canvas.classList.add("by-pointer");
     canvas.focus({ preventScroll: true });
     if (pointers.size > 1) {
       gesture = { kind: "pinch" };
@@ -203,5 +205,6 @@ export function connectPointers(stage: Stage, store: Store): void {
   }
   canvas.addEventListener("blur", () => {
     spaceHeld = false;
+    canvas.classList.remove("by-pointer");
   });
 }

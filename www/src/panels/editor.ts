@@ -2,8 +2,9 @@
 
 import { element } from "./elements";
 
-/** Texts with more lines are shown without colours. */
+/** Longer texts are shown without colours. */
 const MOST_COLOURED_LINES = 3000;
+const MOST_COLOURED_LETTERS = 200_000;
 
 const TOKENS =
   /(?<comment>\([^)]*\)?|;.*)|(?<number>\bN\d+)|(?<motion>\b[GM]\d+(?:\.\d+)?)|(?<axis>[XYZIJR](?=\s*[-+.\d]))/gi;
@@ -80,7 +81,7 @@ export class Editor {
 
   #colour(text: string): void {
     const lines = text.split("\n");
-    const plain = lines.length > MOST_COLOURED_LINES;
+    const plain = lines.length > MOST_COLOURED_LINES || text.length > MOST_COLOURED_LETTERS;
     this.root.classList.toggle("plain", plain);
     const wanted = plain ? [] : lines;
     while (this.#copy.children.length > wanted.length) {
