@@ -41,6 +41,17 @@ test("a radius larger than the part is answered, not refused", async ({ page }) 
   expect(g41.errors).toEqual([]);
 });
 
+test("a radius that the program states is told", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  await expect(page.locator(".stated")).toBeHidden();
+  const text = await g41.program.inputValue();
+  await g41.program.fill(text.replace("G41 D1", "G41.1 D4"));
+  await expect(page.locator(".stated")).toHaveText("The program states its own: 2 mm");
+  await page.getByRole("radio", { name: "Right G42" }).check();
+  await expect(g41.program).toHaveValue(/^N30 G1 G42\.1 D4 X0 Y18/m);
+});
+
 test("the side is a word of the program", async ({ page }) => {
   const g41 = new G41Page(page);
   await g41.open();

@@ -67,6 +67,24 @@ export function roleOf(result: Result, move: number): MoveRole {
   return result.records[move * result.stride + FIELD.role] as MoveRole;
 }
 
+/** The index of the contour that a line of the text belongs to; the first where it is none's. */
+export function contourAt({ contours }: Result, line: number | undefined): number {
+  const found = contours.findIndex(
+    ({ blocks }) => line !== undefined && line >= blocks[0] && line <= blocks[1],
+  );
+  return Math.max(0, found);
+}
+
+/** The signed tool radius on a contour [mm]: what the program states, else the parameter. */
+export function radiusOn({ contours, settings }: Result, contour: number): number {
+  return contours[contour]?.radius ?? settings.radius;
+}
+
+/** Whether the tool runs to the left of a contour; a negative radius swaps the side. */
+export function isLeft(result: Result, contour: number): boolean {
+  return (result.contours[contour]?.side !== "right") === radiusOn(result, contour) >= 0;
+}
+
 /** The line of the text that a move comes from. */
 export function lineOfMove(result: Result, move: number): number | undefined {
   const block = result.records[move * result.stride + FIELD.block];
@@ -97,7 +115,7 @@ export function keyOf({ code, message, origin }: Diagnostic): string {
   return `${code} ${message} ${JSON.stringify(origin)}`;
 }
 
-/** The line of the text that a diagnostic is about. */
-export function lineOf({ origin }: Diagnostic): number | undefined {
+/** The line of the text that a diagnostic or a transition is about. */
+export function lineOf({ origin }: Pick<Diagnostic, "origin">): number | undefined {
   return origin && "block" in origin ? origin.block : undefined;
 }

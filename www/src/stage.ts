@@ -1,12 +1,13 @@
 // The stage: two canvases, one above the other, that show the state in the current view.
 
 import { drawBase } from "./draw/base";
-import { drawOverlay } from "./draw/overlay";
+import { drawOverlay, type Tool } from "./draw/overlay";
 import { DARK, LIGHT, type Palette } from "./draw/palette";
 import { transitionPlace } from "./draw/transition";
 import { distance, type Point } from "./geometry";
 import { indexOf, nearestCorner, nearestOn } from "./hit";
 import { type Handle, handles, linesOf, locate, type PointRef, segmentAtLine } from "./part";
+import { contourAt, lineOf, lineOfMove, radiusOn } from "./result";
 import type { State, Store } from "./state";
 import { boxOf, fitted, panned, type Size, toScreen, toWorld, type View, zoomed } from "./view";
 
@@ -207,16 +208,20 @@ export class Stage {
   }
 
   /** The tool stands at the corner that is shown, or follows the pointer along its path. */
-  #toolPlace(): Point | undefined {
+  #toolPlace(): Tool | undefined {
     const { result, corner } = this.#store.state;
     if (!result) return undefined;
+    const tool = (at: Point, line: number | undefined) => {
+      return { at, radius: Math.abs(radiusOn(result, contourAt(result, line))) };
+    };
     const transition = corner === undefined ? undefined : result.transitions[corner];
-    const place = transition && transitionPlace(transition, result);
-    if (!this.#pointer) return place;
+    const there = transition && tool(transitionPlace(transition, result), lineOf(transition));
+    if (!this.#pointer) return there;
     const pointer = toWorld(this.#view, this.#pointer);
-    if (place && distance(place, pointer) * this.#view.scale < 16) return place;
+    if (there && distance(there.at, pointer) * this.#view.scale < 16) return there;
     const near = nearestOn(result.path, pointer);
-    return near && near.distance * this.#view.scale < TOOL_REACH ? near.point : place;
+    if (!near || near.distance * this.#view.scale >= TOOL_REACH) return there;
+    return tool(near.point, lineOfMove(result, near.owner));
   }
 
   #highlight(): { segment: number | undefined; lines: readonly number[] } {

@@ -1,6 +1,6 @@
 // The static layer: grid, material, swept area, contour and tool path.
 
-import type { Result } from "../result";
+import { isLeft, type Result, radiusOn } from "../result";
 import type { Size, View } from "../view";
 import { toScreen } from "../view";
 import { type Context, inMillimetres, mark, strokeLine } from "./canvas";
@@ -25,9 +25,8 @@ export function drawBase(context: Context, { view, size, palette, result }: Base
   drawGrid(context, view, size, palette);
   if (result) {
     const shapes = shapesOf(result);
-    const radius = Math.abs(result.settings.radius);
     inMillimetres(context, view, (px) => {
-      drawMaterial(context, shapes, result, palette, px, radius);
+      drawMaterial(context, shapes, result, palette, px);
       drawPath(context, shapes, palette, px);
     });
     drawTransitions(context, view, result, palette);
@@ -42,7 +41,6 @@ function drawMaterial(
   result: Result,
   palette: Palette,
   px: number,
-  radius: number,
 ): void {
   const material = new Path2D();
   // Pockets without an outline around them are cut into a plate without end.
@@ -54,29 +52,29 @@ function drawMaterial(
   context.fill(material, "evenodd");
   context.lineJoin = "round";
   context.lineCap = "round";
-  if (radius > 0) {
+  shapes.cuts.forEach((cut, contour) => {
+    const width = 2 * Math.abs(radiusOn(result, contour));
+    if (width === 0) return;
     context.strokeStyle = palette.swept;
-    context.lineWidth = 2 * radius;
-    context.stroke(shapes.cut);
+    context.lineWidth = width;
+    context.stroke(cut);
     // A pixel and a half less than the tool, or every edge that is cut right would show red.
-    if (shapes.closed.length > 0 && 2 * radius > 6 * px) {
-      context.save();
-      context.clip(material, "evenodd");
-      context.strokeStyle = palette.gouged;
-      context.lineWidth = 2 * radius - 3 * px;
-      context.stroke(shapes.cut);
-      context.restore();
-    }
-  }
+    if (shapes.closed.length === 0 || width < 6 * px) return;
+    context.save();
+    context.clip(material, "evenodd");
+    context.strokeStyle = palette.gouged;
+    context.lineWidth = width - 3 * px;
+    context.stroke(cut);
+    context.restore();
+  });
   context.lineWidth = 2.25 * px;
   context.strokeStyle = palette.contour;
   context.stroke(shapes.contour);
 }
 
 /** Whether the workpiece is what a closed contour encloses. */
-function liesInside({ area, contour }: ClosedShape, { contours, settings }: Result): boolean {
-  const left = (contours[contour]?.side ?? "left") === "left";
-  return left === settings.radius >= 0 ? area < 0 : area > 0;
+function liesInside({ area, contour }: ClosedShape, result: Result): boolean {
+  return isLeft(result, contour) ? area < 0 : area > 0;
 }
 
 function drawPath(context: Context, shapes: Shapes, palette: Palette, px: number): void {
@@ -90,7 +88,7 @@ function drawPath(context: Context, shapes: Shapes, palette: Palette, px: number
   context.stroke(shapes.leads);
   context.setLineDash([]);
   context.lineWidth = 1.75 * px;
-  context.stroke(shapes.cut);
+  for (const cut of shapes.cuts) context.stroke(cut);
 }
 
 function drawTransitions(context: Context, view: View, result: Result, palette: Palette): void {

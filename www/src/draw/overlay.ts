@@ -9,6 +9,13 @@ import type { Palette } from "./palette";
 import { addRun } from "./shapes";
 import { drawConstruction } from "./transition";
 
+/** The tool at a place. */
+export interface Tool {
+  readonly at: Point;
+  /** [mm] */
+  readonly radius: number;
+}
+
 /** What the live layer shows. */
 export interface OverlayScene {
   readonly view: View;
@@ -24,8 +31,8 @@ export interface OverlayScene {
   readonly touch: boolean;
   /** Index of the transition whose construction is shown. */
   readonly corner: number | undefined;
-  /** Where the tool stands [mm]. */
-  readonly tool: Point | undefined;
+  /** Where the tool stands, and its radius [mm]. */
+  readonly tool: Tool | undefined;
   /** Index of the highlighted segment, counted through all contours. */
   readonly segment: number | undefined;
   /** Lines of the text whose moves are highlighted. */
@@ -41,7 +48,7 @@ export function drawOverlay(context: Context, scene: OverlayScene): void {
   context.lineJoin = "round";
   if (result) {
     drawHighlight(context, scene, result);
-    if (tool) drawTool(context, view, palette, tool, Math.abs(result.settings.radius));
+    if (tool) drawTool(context, view, palette, tool);
   }
   drawHandles(context, scene);
   const transition = corner === undefined ? undefined : result?.transitions[corner];
@@ -74,7 +81,7 @@ function drawHighlight(context: Context, scene: OverlayScene, result: Result): v
   context.lineCap = "butt";
 }
 
-function drawTool(context: Context, view: View, palette: Palette, at: Point, radius: number): void {
+function drawTool(context: Context, view: View, palette: Palette, { at, radius }: Tool): void {
   const [x, y] = toScreen(view, at);
   const r = radius * view.scale;
   context.beginPath();

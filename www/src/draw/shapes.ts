@@ -1,6 +1,16 @@
 // Path2D objects of a result in millimetres, made once and kept as long as the result.
 
-import { FIELD, forRuns, type Lines, MoveRole, RAPID, type Result, roleOf } from "../result";
+import {
+  contourAt,
+  FIELD,
+  forRuns,
+  type Lines,
+  lineOfMove,
+  MoveRole,
+  RAPID,
+  type Result,
+  roleOf,
+} from "../result";
 
 /** A contour that encloses an area. */
 export interface ClosedShape {
@@ -16,8 +26,8 @@ export interface Shapes {
   /** All programmed contours. */
   readonly contour: Path2D;
   readonly closed: readonly ClosedShape[];
-  /** The tool path where it is compensated. */
-  readonly cut: Path2D;
+  /** The tool path where it is compensated, one for each contour. */
+  readonly cuts: readonly Path2D[];
   /** Lead-ins, lead-outs and moves that are not compensated. */
   readonly leads: Path2D;
   readonly rapids: Path2D;
@@ -34,21 +44,24 @@ export function shapesOf(result: Result): Shapes {
   return shapes;
 }
 
-function pathShapes(result: Result): Pick<Shapes, "cut" | "leads"> {
-  const cut = new Path2D();
+function pathShapes(result: Result): Pick<Shapes, "cuts" | "leads"> {
+  const cuts = result.contours.map(() => new Path2D());
   const leads = new Path2D();
   // A run that goes on where the one before it ended is joined to it, for the sake of line joins.
   let end = -1;
+  let before: Path2D | undefined;
   forRuns(result.path, (move, first, last) => {
     const role = roleOf(result, move);
-    if (role === MoveRole.Segment || role === MoveRole.Transition) {
-      addRun(cut, result.path, first, last, end === first);
+    const cut = cuts[contourAt(result, lineOfMove(result, move))];
+    if (cut && (role === MoveRole.Segment || role === MoveRole.Transition)) {
+      addRun(cut, result.path, first, last, end === first && cut === before);
       end = last;
+      before = cut;
     } else {
       addRun(leads, result.path, first, last);
     }
   });
-  return { cut, leads };
+  return { cuts, leads };
 }
 
 function rapidShape({ records, stride }: Result): Path2D {

@@ -12,7 +12,7 @@ import {
   type Point,
   perp,
 } from "../geometry";
-import type { Result } from "../result";
+import { contourAt, isLeft, type Result } from "../result";
 import { toScreen, type View } from "../view";
 import { type Context, dot, label, strokeLine } from "./canvas";
 import type { Palette } from "./palette";
@@ -24,7 +24,7 @@ export function transitionLine(transition: Transition, result: Result): Point[] 
   if (A1 && A2) return [N1, A1, A2, N2];
   if (V) return [N1, V, N2];
   if (transition.kind === "shortened") return [];
-  return cornerArc(P, N1, N2, isLeft(transition, result));
+  return cornerArc(P, N1, N2, isLeftAt(transition, result));
 }
 
 /** Where on the tool path a transition is marked. */
@@ -34,7 +34,7 @@ export function transitionPlace(transition: Transition, result: Result): Point {
   if (A1 && A2) return between(A1, A2, 0.5);
   if (!P || !N1 || !N2) return transition.corner;
   if (transition.kind !== "shortened") {
-    const arc = cornerArc(P, N1, N2, isLeft(transition, result));
+    const arc = cornerArc(P, N1, N2, isLeftAt(transition, result));
     return arc[Math.floor(arc.length / 2)] ?? transition.corner;
   }
   // A lead-in ends beside the start of the contour, a lead-out begins beside its end.
@@ -46,7 +46,7 @@ export function tangents(transition: Transition, result: Result): [Point, Point]
   const { P, N1, N2 } = transition.construction;
   if (!P || !N1 || !N2 || distance(P, N1) === 0) return undefined;
   // n = σ perp(T), hence T = −σ perp(n).
-  const sign = isLeft(transition, result) ? -1 : 1;
+  const sign = isLeftAt(transition, result) ? -1 : 1;
   return [along([0, 0], perp(direction(P, N1)), sign), along([0, 0], perp(direction(P, N2)), sign)];
 }
 
@@ -125,7 +125,7 @@ function drawAngle(
   const { P, N1 } = transition.construction;
   const reach = P && N1 ? distance(P, N1) * view.scale : 30;
   const radius = Math.min(34, Math.max(16, reach * 0.6));
-  const turn = isLeft(transition, result) ? -transition.angle : transition.angle;
+  const turn = isLeftAt(transition, result) ? -transition.angle : transition.angle;
   const first = Math.atan2(t2[1], t2[0]);
   context.beginPath();
   context.arc(x, y, radius, -first, -(first + turn), turn > 0);
@@ -168,11 +168,8 @@ function cornerArc(center: Point, from: Point, to: Point, clockwise: boolean): P
   );
 }
 
-/** Whether the tool runs to the left at a transition. */
-function isLeft(transition: Transition, { contours, settings }: Result): boolean {
-  const block = "block" in transition.origin ? transition.origin.block : 0;
-  const own = contours.find(({ blocks }) => block >= blocks[0] && block <= blocks[1]);
-  return ((own ?? contours[0])?.side !== "right") === settings.radius >= 0;
+function isLeftAt({ origin }: Transition, result: Result): boolean {
+  return isLeft(result, contourAt(result, "block" in origin ? origin.block : undefined));
 }
 
 function isOnPath(point: Point, { path }: Result): boolean {

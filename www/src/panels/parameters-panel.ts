@@ -1,6 +1,7 @@
 // The controls of the parameters, made from their table.
 
 import { setSettings, setSide } from "../actions";
+import { format } from "../expression";
 import { clampParameter, type NumberParameter, PARAMETERS, type Settings } from "../parameters";
 import type { Store } from "../state";
 import { Choice, element } from "./elements";
@@ -27,8 +28,14 @@ export function parametersPanel(form: HTMLElement, store: Store): void {
       choice.show(key === "side" ? side : store.document.settings[key]);
     };
   });
+  // The radius of a program that states its own cannot be chosen here.
+  const stated = element("p", { class: "stated" });
+  form.querySelector(".parameter-radius")?.after(stated);
   const show = () => {
     for (const each of shows) each();
+    const radii = (store.state.result?.contours ?? []).flatMap(({ radius }) => radius ?? []);
+    stated.hidden = radii.length === 0;
+    stated.textContent = `The program states its own: ${radii.map((r) => format(r)).join(", ")} mm`;
   };
   store.subscribe((state, before) => {
     if (state.history !== before.history || state.result !== before.result) show();
