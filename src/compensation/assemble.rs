@@ -27,6 +27,8 @@ use crate::geometry::{Curve, Decimal, Line};
 #[must_use]
 pub fn compensate(contour: &Contour, tool: Tool, options: &Options) -> ToolPath {
     let finest = finest_tolerance(contour, tool);
+    // A radius that the coordinates have no digits for moves nothing.
+    let tool = if tool.radius() < finest { tool.without_radius() } else { tool };
     let options = &Options { tolerance: options.tolerance.max(finest), ..*options };
     let runs: Vec<Run> =
         contour.segments().iter().map(|segment| Run::new(segment, tool, options)).collect();

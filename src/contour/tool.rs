@@ -50,6 +50,12 @@ impl Tool {
         Some(Self { radius: radius.abs(), side })
     }
 
+    /// The same side with radius zero: the path is the contour.
+    #[must_use]
+    pub fn without_radius(&self) -> Self {
+        Self { radius: 0.0, side: self.side }
+    }
+
     /// Tool radius [mm]: zero or positive.
     #[must_use]
     pub fn radius(&self) -> f64 {

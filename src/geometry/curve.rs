@@ -6,10 +6,10 @@ use glam::DVec2;
 
 use super::{Arc, Bounds, Decimal, Line, Nearest, Spline};
 
-/// Largest coordinate a curve may have [mm]: a thousand kilometres.
+/// Largest coordinate a curve may have [mm]: ten kilometres, a hundred times the largest machine.
 ///
 /// It keeps every product of the solvers (at most degree 6 in coordinates) far from overflow.
-pub const MAX_COORDINATE: f64 = 1e9;
+pub const MAX_COORDINATE: f64 = 1e7;
 
 /// Shortest distance at which two points count as two [mm]: a picometre.
 ///
@@ -63,7 +63,7 @@ impl fmt::Display for CurveError {
         match self {
             Self::OutOfRange { point } => write!(
                 f,
-                "the point ({}, {}) is not a finite number of at most 1e9 mm",
+                "the point ({}, {}) is not a finite number of at most 1e7 mm",
                 Decimal::of(point.x),
                 Decimal::of(point.y)
             ),

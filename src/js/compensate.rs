@@ -32,7 +32,7 @@ pub fn compensate_contours(
         let side = side_name.or(contour.side).ok_or_else(|| missing("options.side"))?;
         let radius = radius.or(contour.radius).ok_or_else(|| missing("options.radius"))?;
         let tool = Tool::new(radius, side)
-            .ok_or_else(|| BadArgument::new("options.radius", "be at most 1e9 mm"))?;
+            .ok_or_else(|| BadArgument::new("options.radius", "be at most 1e7 mm"))?;
         let mut built = contour.build();
         path.diagnostics.append(&mut built.diagnostics);
         if let Some(contour) = &built.contour {

@@ -147,7 +147,7 @@ function tangentBand(value) {
  */
 function radius(value, where) {
   const number = finite(value, where);
-  return Math.abs(number) <= 1e9 ? number : bad(where, "be at most 1e9 mm");
+  return Math.abs(number) <= 1e7 ? number : bad(where, "be at most 1e7 mm");
 }
 
 /**

@@ -15,7 +15,7 @@ const FEED_DECIMALS: usize = 3;
 
 /// A point in units of the last decimal.
 pub(super) fn units(point: DVec2) -> [i64; 2] {
-    // Coordinates are at most 1e9 mm, and casts saturate.
+    // Coordinates are at most 1e7 mm, and casts saturate.
     #[expect(clippy::cast_possible_truncation, reason = "at most 1e13")]
     [point.x, point.y].map(|value| (value * SCALE).round() as i64)
 }

@@ -94,7 +94,7 @@ impl Interpreter {
         if to.abs().max_element() > MAX_COORDINATE {
             self.error(
                 "out-of-range",
-                "the block leads farther out than 1e9 mm".into(),
+                "the block leads farther out than 1e7 mm".into(),
                 block.origin_at(column),
                 "the block makes no move",
             );
