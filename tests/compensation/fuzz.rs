@@ -72,10 +72,9 @@ fn shape(random: &mut Random, reach: f64, from: DVec2) -> Shape {
     }
 }
 
-fn options(random: &mut Random, size: f64) -> Options {
+fn options(random: &mut Random) -> Options {
     Options {
-        // Not below what coordinates of this size can be held to.
-        tolerance: [0.1_f64, 0.01, 0.001, 1e-6][random.index(4)].max(1e-8 * size),
+        tolerance: [0.1, 0.01, 0.001, 1e-6][random.index(4)],
         corner: if random.coin() { CornerStyle::Linear } else { CornerStyle::Arc },
         spline: if random.coin() { SplineMethod::Exact } else { SplineMethod::TypePoints },
         lead: if random.coin() { LeadStyle::Textbook } else { LeadStyle::Perpendicular },
@@ -123,7 +122,7 @@ fn garbage_makes_a_finite_path_in_one_piece() {
             _ => 10.0_f64.powf(random.within(-3.0, 6.0)),
         };
         let side = if random.coin() { Side::Left } else { Side::Right };
-        let options = options(&mut random, reach.max(radius.abs()));
+        let options = options(&mut random);
         let what = format!("case {case}: {start} {shapes:?}, {side:?}, r {radius}, {options:?}");
         let Some(contour) = builder.build(closed).contour else { continue };
         built += 1;
