@@ -9,8 +9,15 @@ use g41::geometry::{Arc, Cubic, Curve, Line};
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Plain {
     Line(DVec2, DVec2),
-    Arc { center: DVec2, radius: f64, from: f64, sweep: f64 },
+    Arc {
+        center: DVec2,
+        radius: f64,
+        from: f64,
+        sweep: f64,
+    },
     Bezier([DVec2; 4]),
+    /// The equidistant of a cubic, so far to its left.
+    Parallel([DVec2; 4], f64),
 }
 
 impl Plain {
@@ -51,6 +58,7 @@ impl Plain {
         match self {
             Self::Line(..) => 16,
             Self::Arc { .. } | Self::Bezier(_) => 96,
+            Self::Parallel(..) => 192,
         }
     }
 
@@ -64,16 +72,21 @@ impl Plain {
                 let (e, f, g) = (a.lerp(b, t), b.lerp(c, t), c.lerp(d, t));
                 e.lerp(f, t).lerp(f.lerp(g, t), t)
             }
+            Self::Parallel(cubic, offset) => {
+                let curve = Self::Bezier(cubic);
+                curve.point(t) + curve.derivative(t).normalize_or_zero().perp() * offset
+            }
         }
     }
 
+    /// First derivative by `t`; of an equidistant that of its cubic, which has its direction.
     pub(crate) fn derivative(&self, t: f64) -> DVec2 {
         match *self {
             Self::Line(a, b) => b - a,
             Self::Arc { radius, from, sweep, .. } => {
                 DVec2::from_angle(from + sweep * t).perp() * radius * sweep
             }
-            Self::Bezier([a, b, c, d]) => {
+            Self::Bezier([a, b, c, d]) | Self::Parallel([a, b, c, d], _) => {
                 let (e, f, g) = (b - a, c - b, d - c);
                 e.lerp(f, t).lerp(f.lerp(g, t), t) * 3.0
             }

@@ -15,6 +15,7 @@ mod radii;
 mod random_contours;
 mod reversals;
 mod sketch;
+mod splines;
 mod symmetries;
 mod table;
 mod type_points;

@@ -110,3 +110,42 @@ fn a_tool_larger_than_the_part_is_reported_and_harms_nothing() {
         }
     }
 }
+
+#[test]
+fn an_inside_arc_of_the_tools_radius_comes_to_its_centre() {
+    for radius in [5.0, 5.0 - 1e-10, 5.0 + 1e-10] {
+        let sketch = Sketch::open(
+            p(-30.0, 0.0),
+            [line(p(0.0, 0.0)), arc(p(5.0, 5.0), p(0.0, 5.0), false), line(p(5.0, 40.0))],
+        );
+        for options in all_options() {
+            let what = format!("r {radius}, {options:?}");
+            let path = sketch.compensated(Side::Left, radius, &options);
+            in_one_piece(&path, &what);
+            assert!(path.gouges.is_empty(), "{what}: {:?}", path.gouges);
+            let field = field_of(&sketch.contour());
+            for point in samples(&path, 20) {
+                near(field.distance(point), 5.0, 1e-8, &what);
+            }
+            near(field_of_path(&path).distance(p(0.0, 5.0)), 0.0, 1e-8, &what);
+            let back = sketch.reversed().compensated(Side::Right, radius, &options);
+            in_one_piece(&back, &what);
+        }
+    }
+}
+
+#[test]
+fn a_full_circle_between_two_lines_is_run_round_once() {
+    // In along a tangent, round the hole, and on along the tangent.
+    let hole = p(0.0, 10.0);
+    let sketch = Sketch::open(
+        p(-15.0, 0.0),
+        [line(p(0.0, 0.0)), arc(p(0.0, 0.0), hole, false), line(p(15.0, 0.0))],
+    );
+    for (side, expected) in [(Side::Left, 8.0), (Side::Right, 12.0)] {
+        let path = sketch.compensated(side, 2.0, &Options::default());
+        in_one_piece(&path, "circle between lines");
+        let length: f64 = path.moves.iter().map(|m| m.curve.length()).sum();
+        near(length, 30.0 + std::f64::consts::TAU * expected, 1e-9, "length");
+    }
+}
