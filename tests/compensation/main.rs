@@ -9,6 +9,7 @@ mod corners;
 mod deviation;
 mod fuzz;
 mod gouges;
+mod inside_corners;
 mod judge;
 mod leads;
 mod radii;
