@@ -35,6 +35,14 @@ const wasmFeatures = [
   "sign-ext",
 ];
 
+// A function moved into its only caller saves a few bytes, but spoils what gzip finds alike in the
+// two: without that, the wasm is 5 % smaller. A second round finds what the first made alike.
+const optimizations = [
+  ...["-Oz", "-Oz", "--one-caller-inline-max-function-size=0"],
+  ...["--strip-producers", "--strip-target-features"],
+  "--skip-pass=local-cse",
+];
+
 /** Builds `dist/` and returns whether the wasm fits, and its gzipped size for people to read. */
 export async function buildPackage() {
   await run("cargo", [
@@ -63,7 +71,7 @@ async function assemble() {
   }
   const wasm = join(fresh, "g41_bg.wasm");
   await run(process.execPath, [
-    ...[script("binaryen", "wasm-opt"), "-O3", wasm, "--output", wasm],
+    ...[script("binaryen", "wasm-opt"), ...optimizations, wasm, "--output", wasm],
     ...wasmFeatures.map((feature) => `--enable-${feature}`),
   ]);
   const base64 = readFileSync(wasm).toString("base64");
