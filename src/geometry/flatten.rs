@@ -10,9 +10,11 @@ const MAX_CHORDS: f64 = 1e6;
 /// Calls `add` with points along `arc` after its start, up to and with its end, whose chords are
 /// within `tolerance` [mm] of it.
 pub fn flatten_arc(arc: &Arc, tolerance: f64, mut add: impl FnMut(DVec2)) {
-    // Sagitta of a chord over the angle 2a: R (1 − cos a) ≤ tolerance.
-    let half_angle = (1.0 - (tolerance / arc.radius()).clamp(1e-15, 1.0)).acos();
-    let chords = (arc.sweep().abs() / (2.0 * half_angle)).ceil().clamp(1.0, MAX_CHORDS);
+    // Sagitta of a chord over the angle 2a: R (1 − cos a) ≤ tolerance, where
+    // (1 − cos a) / (1 + cos a) = tan²(a/2).
+    let rise = (tolerance / arc.radius()).clamp(1e-15, 1.0);
+    let quarter_angle = (rise / (2.0 - rise)).sqrt().atan();
+    let chords = (arc.sweep().abs() / (4.0 * quarter_angle)).ceil().clamp(1.0, MAX_CHORDS);
     let mut i = 1.0;
     while i < chords {
         add(arc.point(i / chords));

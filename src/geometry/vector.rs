@@ -2,6 +2,8 @@
 
 use glam::DVec2;
 
+use super::sin_cos;
+
 /// The left normal of `v`: `v` turned counter-clockwise by 90°.
 #[must_use]
 pub fn perp(v: DVec2) -> DVec2 {
@@ -25,7 +27,7 @@ pub fn turn(a: DVec2, b: DVec2) -> f64 {
 /// `v` turned counter-clockwise by `angle` rad.
 #[must_use]
 pub fn rotate(v: DVec2, angle: f64) -> DVec2 {
-    let (sin, cos) = angle.sin_cos();
+    let (sin, cos) = sin_cos(angle);
     DVec2::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y)
 }
 

@@ -12,7 +12,7 @@ use glam::DVec2;
 use super::block_writer::{BlockWriter, SCALE, units};
 use crate::contour::{Move, MoveCurve, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin};
-use crate::geometry::{Arc, ArcOrLine, Cubic, MIN_LENGTH, fit_arcs};
+use crate::geometry::{Arc, ArcOrLine, Cubic, MIN_LENGTH, fit_arcs, sin_cos};
 
 /// For whom a program is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -223,7 +223,7 @@ impl Emitter {
     fn arc(&mut self, arc: &Arc, [z0, z1]: [f64; 2]) {
         let (end, z) = (units(arc.end()), units_of(z1));
         let (radius, sweep) = (arc.radius(), arc.sweep());
-        let sagitta = radius * (1.0 - (0.5 * sweep).cos());
+        let sagitta = radius * (1.0 - sin_cos(0.5 * sweep).1);
         if radius < MIN_RADIUS || (sweep.abs() < 1.0 && sagitta < MIN_SAGITTA) {
             self.out.line(end, z);
             return;

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use super::Bend;
-use crate::geometry::{Arc, MIN_LENGTH};
+use crate::geometry::{Arc, MIN_LENGTH, sin_cos};
 
 /// What the offset of an arc can be.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +46,6 @@ pub(in crate::compensation) fn offset_arc(arc: &Arc, offset: f64) -> ArcOffset {
 fn bend(arc: &Arc, r: f64) -> Bend {
     let (radius, rho) = (arc.radius(), r - arc.radius());
     let angle = (PI - arc.sweep().abs()).max(0.0);
-    let squared = radius * radius + rho * rho - 2.0 * radius * rho * angle.cos();
+    let squared = radius * radius + rho * rho - 2.0 * radius * rho * sin_cos(angle).1;
     Bend { at: arc.end(), depth: r - squared.max(0.0).sqrt(), radius }
 }
