@@ -155,10 +155,10 @@ impl Cubic {
     pub fn bounds(&self) -> Bounds {
         let mut bounds = Bounds::of([self.start(), self.end()]);
         let [d0, d1, d2] = self.hodograph();
-        for t in bernstein::roots([d0.x, d1.x, d2.x]) {
+        for t in bernstein::roots(&[d0.x, d1.x, d2.x]) {
             bounds.add(self.point(t));
         }
-        for t in bernstein::roots([d0.y, d1.y, d2.y]) {
+        for t in bernstein::roots(&[d0.y, d1.y, d2.y]) {
             bounds.add(self.point(t));
         }
         bounds
@@ -188,7 +188,7 @@ impl Cubic {
         }
         let ends =
             Nearest::new(0.0, self.start(), point).or_nearer(Nearest::new(1.0, self.end(), point));
-        bernstein::roots(product)
+        bernstein::roots(&product)
             .into_iter()
             .map(|t| Nearest::new(t, self.point(t), point))
             .fold(ends, Nearest::or_nearer)

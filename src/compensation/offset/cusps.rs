@@ -51,6 +51,7 @@ enum Sign {
 ///
 /// They are halved as they are: the control points of a short stretch have too few digits left to
 /// tell its curvature.
+#[derive(Clone, Copy)]
 struct Terms {
     /// `|C'|²`, of degree 4.
     speed_squared: [f64; 5],
@@ -79,10 +80,9 @@ impl Terms {
             Sign::Positive | Sign::Negative => {}
             Sign::Unknown if depth < MAX_DEPTH => {
                 let middle = 0.5 * (from + to);
-                let (speed_left, speed_right) = halve(self.speed_squared);
-                let (bend_left, bend_right) = halve(self.bend);
-                let left = Self { speed_squared: speed_left, bend: bend_left };
-                let right = Self { speed_squared: speed_right, bend: bend_right };
+                let (mut left, mut right) = (*self, *self);
+                halve(&mut right.speed_squared, &mut left.speed_squared);
+                halve(&mut right.bend, &mut left.bend);
                 left.collect(from, middle, depth + 1, undecided);
                 right.collect(middle, to, depth + 1, undecided);
             }

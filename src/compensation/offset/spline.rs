@@ -112,7 +112,7 @@ fn cut_at_standstill(cubic: &Cubic) -> Vec<Part> {
     ];
     let scale = cubic.hull_length();
     let stands = |t: f64| cubic.derivative(t).length() <= 1e-7 * scale;
-    let still: Vec<f64> = crate::geometry::roots(slope)
+    let still: Vec<f64> = crate::geometry::roots(&slope)
         .into_iter()
         .filter(|&t| t > AT_END && t < 1.0 - AT_END && stands(t))
         .collect();

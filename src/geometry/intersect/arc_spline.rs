@@ -30,7 +30,7 @@ pub fn arc_cubic(arc: &Arc, cubic: &Cubic) -> Intersections {
         *slope = pair[1] - pair[0];
     }
     let distance = |u| cubic.point(u).distance(arc.center()) - arc.radius();
-    let crossings = with_touches(with_ends(roots(squared), at_ends), roots(slopes), distance)
+    let crossings = with_touches(with_ends(roots(&squared), at_ends), roots(&slopes), distance)
         .into_iter()
         .filter_map(|u| {
             let point = cubic.point(u);

@@ -23,13 +23,13 @@ pub fn line_cubic(line: &Line, cubic: &Cubic) -> Intersections {
         };
     }
     let at_ends = [distances[0], distances[3]].map(|d| d.abs() <= END_SLACK);
-    let touches = roots([
+    let touches = roots(&[
         distances[1] - distances[0],
         distances[2] - distances[1],
         distances[3] - distances[2],
     ]);
     let distance = |u| cross(along, cubic.point(u) - line.start());
-    let crossings = with_touches(with_ends(roots(distances), at_ends), touches, distance)
+    let crossings = with_touches(with_ends(roots(&distances), at_ends), touches, distance)
         .into_iter()
         .filter_map(|u| {
             let point = cubic.point(u);
