@@ -211,7 +211,11 @@ fn the_radius_is_that_of_the_d_word_or_the_active_tool_or_given() {
     assert_eq!(radius("T4 M6\nG41 D7"), RadiusSource::Tool(7), "D");
     assert_eq!(radius("T4 M6\nT5\nG41"), RadiusSource::Tool(4), "the tool in the spindle");
     assert_eq!(radius("T4\nG41"), RadiusSource::Tool(4), "a program without M6");
+    assert_eq!(radius("T4 M6\nM6 T5\nG41"), RadiusSource::Tool(5), "T acts before M6");
     assert_eq!(radius("D6\nG41"), RadiusSource::Tool(6), "D in a block before");
+    assert_eq!(radius("G41\nD6"), RadiusSource::Tool(6), "D in a block after, before the lead-in");
+    assert_eq!(radius("G41 D5\nD6"), RadiusSource::Tool(6), "the later D");
+    assert_eq!(radius("G40 D6\nG41"), RadiusSource::Tool(6), "D beside G40");
     assert_eq!(radius("D6 T2 M6\nT1\nG41"), RadiusSource::Tool(6), "D after the tool change");
     assert_eq!(radius("G41.1 D5"), RadiusSource::Given(2.5), "a diameter");
     assert_eq!(radius("G20 G42.1 D.25"), RadiusSource::Given(3.175), "a diameter in inches");
@@ -414,6 +418,22 @@ fn nothing_after_the_end_is_read() {
         let codes: Vec<_> = found(&read).iter().map(|f| f.0).collect();
         assert_eq!(codes, ["after-end"], "{text}");
         assert_eq!(moves(&read).len(), 1, "{text}");
+    }
+}
+
+#[test]
+fn comments_may_stand_before_the_program() {
+    let read = read_clean("(POST X)\n; V2\n%\nO7\nG0 X1\nM30\n%\n");
+    assert_eq!(moves(&read).len(), 1, "{read:?}");
+    assert_eq!(words(&read), ["(POST X)", "; V2", "(O7)", "M30"], "{read:?}");
+}
+
+#[test]
+fn every_fault_of_a_line_has_a_hint() {
+    let read = read("5 $ G7 X1.2.3 Y #1 [2] o1 call X1e99\nX99999999999\nG2 X5 (\n");
+    assert!(read.diagnostics.len() > 8, "{read:?}");
+    for found in &read.diagnostics {
+        assert!(found.hint.is_some(), "{found}");
     }
 }
 

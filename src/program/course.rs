@@ -128,6 +128,15 @@ impl Course {
         }
     }
 
+    /// Compensation as it was switched on, its lead-in made or not, until G40 is read.
+    pub(super) fn switched(&self) -> Option<SwitchOn> {
+        match &self.state {
+            State::Waiting(switched) => Some(*switched),
+            State::On(open) => Some(open.switched),
+            State::Off | State::Ending(_) => None,
+        }
+    }
+
     /// Words that move nothing.
     pub(super) fn words(&mut self, words: String, origin: Origin) {
         match &mut self.state {

@@ -310,17 +310,15 @@ impl Interpreter {
 
     /// M, S, T and O words.
     fn auxiliary_words(&mut self, block: &Block, words: &mut Words, auxiliary: &mut Auxiliary) {
+        // The T word acts before M6, wherever in the block it stands.
+        if let Some(number) = words.find('T').and_then(|word| whole(word.value)) {
+            self.modal.select_tool(number);
+        }
         for (index, word) in block.words.iter().enumerate() {
             match word.letter {
                 'S' => auxiliary.word('S', word.value),
                 'O' if index == 0 => auxiliary.program_number(word.value),
-                'T' => match whole(word.value) {
-                    Some(number) => {
-                        self.modal.select_tool(number);
-                        auxiliary.word('T', word.value);
-                    }
-                    None => continue,
-                },
+                'T' if whole(word.value).is_some() => auxiliary.word('T', word.value),
                 'M' => match tenths(word) {
                     Some(970 | 980 | 990) => {
                         self.not_supported(block, word.column, "a subprogram");

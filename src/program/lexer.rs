@@ -90,8 +90,8 @@ impl<'a> Lexer<'a> {
     }
 
     fn error(&mut self, code: &'static str, message: String, column: u32, hint: &str) {
-        let diagnostic = Diagnostic::error(code, message).with_origin(self.block.origin_at(column));
-        self.report.push(if hint.is_empty() { diagnostic } else { diagnostic.with_hint(hint) });
+        let origin = self.block.origin_at(column);
+        self.report.push(Diagnostic::error(code, message).with_origin(origin).with_hint(hint));
     }
 
     /// Reads what begins with `c`.
@@ -127,7 +127,7 @@ impl<'a> Lexer<'a> {
                 let column = self.column;
                 let text = self.take_while(is_number);
                 let message = format!("the number {} has no letter", quote(text));
-                self.error("number-without-letter", message, column, "");
+                self.error("number-without-letter", message, column, "it is left out");
             }
             _ => {
                 let column = self.column;
@@ -136,7 +136,7 @@ impl<'a> Lexer<'a> {
                     !(c.is_ascii_alphanumeric() || c.is_whitespace() || known)
                 });
                 let message = format!("{} is no part of a program", quote(text));
-                self.error("unexpected-character", message, column, "");
+                self.error("unexpected-character", message, column, "it is left out");
             }
         }
     }

@@ -45,13 +45,19 @@ impl Program {
             }
             match read_line(text, line, &mut report) {
                 Line::Blank => {}
-                Line::Percent if !opened && blocks.is_empty() => opened = true,
+                // Comments may stand before the first.
+                Line::Percent if !opened && blocks.iter().all(is_comment) => opened = true,
                 Line::Percent => ended = true,
                 Line::Block(block) => blocks.push(block),
             }
         }
         Self { blocks, diagnostics: report.finish() }
     }
+}
+
+/// Whether a block says nothing to a control.
+fn is_comment(block: &Block) -> bool {
+    block.words.is_empty()
 }
 
 /// The diagnostic for text that no control reads.

@@ -29,6 +29,7 @@ impl Interpreter {
         let at = self.modal.position.truncate();
         let switched = match demand {
             Some((Compensation::Off, _)) => {
+                self.read_radius_number(block, number);
                 self.course.switch_off(origin);
                 return;
             }
@@ -47,9 +48,9 @@ impl Interpreter {
             }
             None if number.is_some() => {
                 self.read_radius_number(block, number);
-                self.course.side().map(|side| {
+                self.course.switched().map(|before| {
                     let radius = self.radius_source(origin);
-                    SwitchOn { side, radius, origin }
+                    SwitchOn { side: before.side, radius, origin }
                 })
             }
             None => None,
