@@ -192,3 +192,28 @@ fn a_move_along_z_while_compensated_happens_beside_the_contour() {
     assert_eq!(plunge.curve, MoveCurve::Vertical(DVec2::new(50.0, 3.0)), "beside");
     assert_eq!(plunge.z, [0.0, -2.0], "down");
 }
+
+#[test]
+fn a_lead_that_starts_or_ends_beside_the_contour_keeps_its_change_of_height() {
+    for text in [
+        "G0 X0 Y3 Z5\nG41 D1 G1 X0 Y0 Z-2 F600\nX50\nG40 X50 Y9\nG0 Z9\n",
+        "G0 X0 Y-9 Z5\nG41 D1 G1 X0 Y0 F600\nX50\nG40 X50 Y3 Z8\nG0 Z9\n",
+    ] {
+        let path = path_of(text, 3.0);
+        assert_eq!(codes(&path), [], "{:?}", path.diagnostics);
+        for pair in path.moves.windows(2) {
+            assert!((pair[0].z[1] - pair[1].z[0]).abs() < 1e-9, "{text}\n{:?}", path.moves);
+        }
+        let plunge = path.moves.iter().find(|m| m.curve.length() == 0.0).expect("it is there");
+        assert_eq!(plunge.feed, Some(10.0), "at its own feed: {plunge:?}");
+    }
+}
+
+#[test]
+fn a_lead_shorter_than_the_radius_is_reported() {
+    let text = "G0 X-2 Y0\nG41 D1 G1 X0 Y0 F600\nX50\nG40 X52\n";
+    let warning = Severity::Warning;
+    let expected = [("short-lead-in", warning), ("short-lead-out", warning)];
+    assert_eq!(codes(&path_of(text, 3.0)), expected, "3 mm");
+    assert_eq!(codes(&path_of(text, 1.0)), [], "1 mm");
+}

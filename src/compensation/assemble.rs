@@ -108,20 +108,15 @@ impl Assembly<'_> {
             return;
         };
         let point = self.contour.start();
-        let length = lead.point.distance(point);
-        if length < self.tool.radius() {
-            builder.path.diagnostics.push(
-                Diagnostic::warning(
-                    "short-lead-in",
-                    format!(
-                        "the lead-in is {} mm long, shorter than the tool radius ({} mm)",
-                        Decimal::of(length),
-                        Decimal::of(self.tool.radius())
-                    ),
-                )
-                .with_point(lead.point)
-                .with_origin(lead.attributes.origin)
-                .with_hint("start farther from the contour"),
+        if lead.point.distance(point) < self.tool.radius() {
+            let code = "short-lead-in";
+            self.short_lead(
+                builder,
+                lead,
+                point,
+                code,
+                "lead-in",
+                "start farther from the contour",
             );
         }
         builder.line_to(lead.point, solved.end, Role::LeadIn, &lead.attributes);
@@ -138,8 +133,35 @@ impl Assembly<'_> {
         let Some((lead, solved)) = &self.lead_out else { return };
         let last = self.attributes(self.runs.len() - 1);
         let point = self.contour.end();
+        if lead.point.distance(point) < self.tool.radius() {
+            let code = "short-lead-out";
+            self.short_lead(builder, lead, point, code, "lead-out", "end farther from the contour");
+        }
         Self::add_lead_corner(builder, solved, &between(last, &lead.attributes), point);
         builder.line_to(solved.end, lead.point, Role::LeadOut, &lead.attributes);
+    }
+
+    /// Reports a lead between the contour and a place where the tool still cuts into it.
+    fn short_lead(
+        &self,
+        builder: &mut PathBuilder,
+        lead: &Lead,
+        corner: DVec2,
+        code: &'static str,
+        which: &str,
+        hint: &str,
+    ) {
+        let message = format!(
+            "the {which} is {} mm long, shorter than the tool radius ({} mm)",
+            Decimal::of(lead.point.distance(corner)),
+            Decimal::of(self.tool.radius())
+        );
+        builder.path.diagnostics.push(
+            Diagnostic::warning(code, message)
+                .with_point(lead.point)
+                .with_origin(lead.attributes.origin)
+                .with_hint(hint),
+        );
     }
 
     fn add_lead_corner(

@@ -46,10 +46,14 @@ impl PathBuilder {
         }
     }
 
-    /// A straight move to `point`, nothing if the tool is there.
+    /// A straight move to `point`. If the tool is there already, only its height changes.
     pub(super) fn line_to(&mut self, from: DVec2, point: DVec2, role: Role, with: &Attributes) {
-        if let Ok(line) = Line::new(from, point) {
-            self.moves(&[MoveCurve::Line(line)], role, with);
+        match Line::new(from, point) {
+            Ok(line) => self.moves(&[MoveCurve::Line(line)], role, with),
+            Err(_) if with.z[0] != with.z[1] => {
+                self.moves(&[MoveCurve::Vertical(from)], role, with);
+            }
+            Err(_) => {}
         }
     }
 
