@@ -285,3 +285,23 @@ fn curves_meet_where_one_ends_on_the_other() {
         }
     }
 }
+
+#[test]
+fn cubics_that_leave_a_common_end_side_by_side_meet_there() {
+    // Their tangents at the common end are 1e-4 rad apart, and so they stay for a millimetre.
+    let at = p(18.822_648_582_736_768, 12.486_721_352_198_472);
+    let a = Cubic::new(
+        at,
+        p(1.266_298_238_303_093_6, -13.095_903_462_233_31),
+        p(13.490_939_081_952_988, -6.642_072_533_119_428),
+        p(-15.327_243_813_466_707, -6.870_079_020_809_934),
+    );
+    let b = Cubic::new(
+        p(14.838_070_441_661_507, 6.290_237_903_835_518),
+        p(6.954_042_591_201_968_5, -17.496_745_535_485_605),
+        p(2.610_318_122_120_816, -11.134_121_987_864_605),
+        at,
+    );
+    let Intersections::Points(found) = cubic_cubic(&a, &b) else { panic!("not one curve") };
+    assert!(found.iter().any(|c| c.point.distance(at) < 1e-7), "the common end: {found:?}");
+}

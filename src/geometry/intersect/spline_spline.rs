@@ -48,7 +48,10 @@ pub fn cubic_cubic(a: &Cubic, b: &Cubic) -> Intersections {
             return Intersections::Coincident;
         }
         let (box_a, box_b) = (pa.cubic.hull_bounds(), pb.cubic.hull_bounds());
-        if !box_a.inflated(END_SLACK).meets(&box_b) {
+        if !box_a.inflated(END_SLACK).meets(&box_b)
+            || apart(&pa.cubic, &pb.cubic)
+            || apart(&pb.cubic, &pa.cubic)
+        {
             continue;
         }
         if cross_at_most_once(&pa.cubic, &pb.cubic)
@@ -138,6 +141,20 @@ fn touch(pa: &Part, pb: &Part) -> Option<(f64, f64)> {
     .min_by(|x, y| x.0.total_cmp(&y.0))
     .filter(|(distance, ..)| *distance <= END_SLACK)
     .map(|(_, t, u)| (parameter(pa, t), parameter(pb, u)))
+}
+
+/// Whether `b` is all on one side of `a`, seen across the chord of `a`: boxes of curves that run side
+/// by side at a slant part only when they are as small as the gap.
+fn apart(a: &Cubic, b: &Cubic) -> bool {
+    let chord = a.end() - a.start();
+    let slack = END_SLACK * chord.length();
+    let range = |cubic: &Cubic| {
+        let across = cubic.points.map(|p| cross(chord, p - a.start()));
+        let low = across.into_iter().fold(f64::INFINITY, f64::min);
+        (low, across.into_iter().fold(f64::NEG_INFINITY, f64::max))
+    };
+    let ((low_a, high_a), (low_b, high_b)) = (range(a), range(b));
+    low_b > high_a + slack || low_a > high_b + slack
 }
 
 /// Whether all tangents of `b` are strictly on the same side of all tangents of `a`.
