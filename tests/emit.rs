@@ -205,6 +205,18 @@ fn a_first_position_at_zero_is_written() {
 }
 
 #[test]
+fn a_first_height_at_zero_is_reached_as_programmed() {
+    let down = "G0 X0 Y-9\nG1 Z0 F100\nX9\nM2\n";
+    let text = write(&path_of(down)).text;
+    assert_eq!(blocks(&text), ["G0 X0 Y-9", "G1 Z0 F100", "X9 F100", "M2"], "{text}");
+
+    let before_lead_in = "G20 G0 X0 Y-1\nG41 D1\nG1 Z0 F10\nX0 Y0\nX1\nG40 Y1\nM2\n";
+    let text = write(&path_of(before_lead_in)).text;
+    let expected = ["G0 X0 Y-25.4", "G1 Z0 F254", "Y0 F254", "X25.4", "Y25.4", "M2"];
+    assert_eq!(blocks(&text), expected, "{text}");
+}
+
+#[test]
 fn positions_are_stated_again_in_another_coordinate_system() {
     let path = path_of("G54\nG0 X10 Y5\nZ2\nG55\nX10 Y5\nZ2\nG56\nX10 Y9 Z2\nM2\n");
     let text = write(&path).text;

@@ -69,8 +69,8 @@ impl BlockWriter {
     /// Words as they are.
     pub(super) fn words(&mut self, words: &str) {
         // They hold a motion word only where they state the first position.
-        if words.starts_with("G0 ") {
-            self.motion = Some('0');
+        if let [b'G', motion @ (b'0' | b'1'), b' ', ..] = words.as_bytes() {
+            self.motion = Some(char::from(*motion));
         }
         // Coordinate systems: the same numbers are another place now.
         if words.as_bytes().windows(2).any(|pair| pair == b"G5") {

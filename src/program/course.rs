@@ -20,7 +20,7 @@ pub enum Item {
     Free(Move),
     /// Words to be passed through. They move nothing, apart from one case: a block that states a
     /// coordinate assumed already, at the beginning or after a change of the coordinate system,
-    /// such as `G0 X0 Y0`.
+    /// such as `G0 X0 Y0` or `G1 Z0 F100`.
     Words {
         /// The words: M, S and T words, comments.
         words: String,
@@ -115,9 +115,9 @@ impl Course {
         Self { items: Vec::new(), state: State::Off }
     }
 
-    /// Whether moves are free.
-    pub(super) fn is_off(&self) -> bool {
-        matches!(self.state, State::Off)
+    /// Whether moves are free, apart from a lead-in.
+    pub(super) fn is_free(&self) -> bool {
+        matches!(self.state, State::Off | State::Waiting(_))
     }
 
     /// The side of the tool, while compensation is on: its lead-in made and G40 not yet read.

@@ -17,10 +17,10 @@ use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::Decimal;
 
 /// Letters that belong to the geometry of a block.
-const GEOMETRY: &str = "XYZABCUVWIJKRPQLDHE";
+pub(super) const GEOMETRY: &str = "XYZABCUVWIJKRPQLDHE";
 
 /// Seconds in a minute.
-const MINUTE: f64 = 60.0;
+pub(super) const MINUTE: f64 = 60.0;
 
 /// What a program means: its steps in order, and what was found on the way.
 #[derive(Debug, Clone, Default, PartialEq)]

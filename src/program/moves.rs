@@ -4,16 +4,13 @@ use glam::{DVec2, DVec3};
 
 use super::block::{Block, Word};
 use super::g_words::Motion;
-use super::interpret::Interpreter;
+use super::interpret::{GEOMETRY, Interpreter, MINUTE};
 use super::number::push_word;
 use super::type_points::{Added, PendingSpline, SplineWord, spline_word};
 use super::words::Words;
 use crate::contour::{Attributes, Shape};
 use crate::diagnostic::Diagnostic;
 use crate::geometry::{MAX_COORDINATE, MIN_LENGTH, RadiusForm};
-
-/// Letters of everything that a block in a mode without support may hold.
-const ANY_GEOMETRY: &str = "XYZABCUVWIJKRPQLDHE";
 
 /// The axis words of a block.
 #[derive(Default)]
@@ -42,7 +39,7 @@ impl Interpreter {
                 if stated || words.has_any("XYZIJKRPQ") {
                     let column = words.unused().next().map_or(1, |(_, word)| word.column);
                     self.not_supported(block, column, what);
-                    words.take_all(ANY_GEOMETRY);
+                    words.take_all(GEOMETRY);
                 }
             }
             Motion::Rapid | Motion::Linear => {
@@ -98,7 +95,7 @@ impl Interpreter {
                 block.origin_at(column),
                 "the block makes no move",
             );
-            words.take_all(ANY_GEOMETRY);
+            words.take_all(GEOMETRY);
             return None;
         }
         let unknown = (0..3).any(|i| axes.words[i].is_some() && !self.modal.stated[i]);
@@ -143,7 +140,7 @@ impl Interpreter {
         } else if from.z != to.z {
             self.course.vertical(from.truncate(), attributes);
         }
-        if self.course.is_off() {
+        if self.course.is_free() {
             self.first_positions(axes, to, moves_in_plane, &attributes);
         } else if !moves_in_plane && from.z == to.z {
             self.report.push(
@@ -168,11 +165,19 @@ impl Interpreter {
         for (i, letter) in ['X', 'Y', 'Z'].into_iter().enumerate() {
             let by_the_move = if i < 2 { moves_in_plane } else { to.z != self.modal.position.z };
             if axes.words[i].is_some() && !self.modal.stated[i] && !by_the_move {
-                text.push_str(if text.is_empty() { "G0 " } else { " " });
+                text.push_str(match (text.is_empty(), attributes.rapid) {
+                    (true, true) => "G0 ",
+                    (true, false) => "G1 ",
+                    (false, _) => " ",
+                });
                 push_word(&mut text, letter, to[i]);
             }
         }
         if !text.is_empty() {
+            if let Some(feed) = attributes.feed {
+                text.push(' ');
+                push_word(&mut text, 'F', feed * MINUTE);
+            }
             self.course.words(text, attributes.origin);
         }
     }
