@@ -189,6 +189,11 @@ impl Field {
         let mut best = sampled;
         for (here, block, i) in candidates {
             if here <= sampled + block.gap {
+                if let Plain::Line(a, b) = self.curves[block.curve] {
+                    let along = (point - a).dot(b - a) / (b - a).length_squared();
+                    best = best.min(point.distance(a.lerp(b, along.clamp(0.0, 1.0))));
+                    continue;
+                }
                 let t = block.from + i as f64 * block.step;
                 let (low, high) = ((t - block.step).max(0.0), (t + block.step).min(1.0));
                 let at = |t: f64| self.curves[block.curve].point(t).distance(point);
@@ -206,7 +211,7 @@ pub(crate) fn golden_minimum(f: impl Fn(f64) -> f64, low: f64, high: f64) -> f64
     let (mut c, mut d) = (b - ratio * (b - a), a + ratio * (b - a));
     let (mut at_c, mut at_d) = (f(c), f(d));
     let mut best = f(low).min(f(high));
-    for _ in 0..55 {
+    for _ in 0..45 {
         best = best.min(at_c).min(at_d);
         if at_c < at_d {
             (b, d, at_d) = (d, c, at_c);

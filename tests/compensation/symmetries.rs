@@ -2,6 +2,7 @@
 
 use g41::compensation::{CornerStyle, Options, SplineMethod};
 use g41::contour::{Contour, Side, ToolPath, TransitionKind};
+use g41::diagnostic::Severity;
 use g41::geometry::Curve;
 use glam::DVec2;
 #[cfg(target_arch = "wasm32")]
@@ -42,6 +43,11 @@ fn for_each(
             continue;
         }
         let options = Options { corner, spline, tolerance: 1e-4, ..Options::default() };
+        // The polygon of type points may double back where the curve does not.
+        let path = sketch.compensated(side, radius, &options);
+        if path.diagnostics.iter().any(|d| d.severity == Severity::Error) {
+            continue;
+        }
         let what = format!("contour {judged}, {side:?}, r {radius}, {options:?}: {sketch:?}");
         judge(&sketch, side, radius, &options, &mut random, &what);
         judged += 1;
