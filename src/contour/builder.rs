@@ -194,6 +194,11 @@ impl ContourBuilder {
         let mut slots = Vec::with_capacity(self.described.len());
         for (shape, attributes) in &self.described {
             let made = match shape {
+                Shape::Line { to } | Shape::Arc { to, .. } | Shape::ArcByRadius { to, .. }
+                    if !in_range(*to) =>
+                {
+                    Err(CurveError::OutOfRange { point: *to })
+                }
                 Shape::Line { to } => Line::new(from, *to).map(Curve::Line),
                 Shape::Arc { to, center, clockwise } => {
                     Arc::from_center(from, *to, *center, *clockwise, ARC_TOLERANCE).map(Curve::Arc)
@@ -282,7 +287,7 @@ enum Slot {
 
 /// A straight line in the place of a segment that cannot be made, where it has a length.
 fn replacement(from: DVec2, to: Option<DVec2>) -> Slot {
-    match to.map(|to| Line::new(from, to)) {
+    match to.filter(|&to| in_range(to)).map(|to| Line::new(from, to)) {
         Some(Ok(line)) => Slot::Made(Curve::Line(line)),
         _ => Slot::LeftOut,
     }

@@ -9,7 +9,7 @@ use super::{Bounds, CurveError, MIN_LENGTH, Nearest, curve::checked_point, perp,
 /// A circular arc, up to a full circle, of either sense.
 ///
 /// # Guarantees
-/// Start, end and centre are finite and within [`MAX_COORDINATE`](super::MAX_COORDINATE). The
+/// Start, end and centre are finite and at most 1e9 mm. The
 /// radius is at least [`MIN_LENGTH`] and the distance of both ends from the centre, up to rounding.
 /// The sweep is in `[-2π, 2π]` and not zero; the length is at least [`MIN_LENGTH`].
 #[derive(Debug, Clone, Copy, PartialEq)]

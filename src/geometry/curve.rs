@@ -6,10 +6,14 @@ use glam::DVec2;
 
 use super::{Arc, Bounds, Decimal, Line, Nearest, Spline};
 
-/// Largest coordinate a curve may have [mm]: ten kilometres, a hundred times the largest machine.
-///
-/// It keeps every product of the solvers (at most degree 6 in coordinates) far from overflow.
+/// Largest coordinate that may be programmed [mm]: ten kilometres, a hundred times the largest
+/// machine.
 pub const MAX_COORDINATE: f64 = 1e7;
+
+/// Largest coordinate a curve may have [mm]. A path runs beside its contour, and the centre of a
+/// flat arc lies far beyond it; still every product of the solvers (at most degree 6 in
+/// coordinates) stays far from overflow.
+pub(super) const MAX_REACH: f64 = 1e9;
 
 /// Shortest distance at which two points count as two [mm]: a picometre.
 ///
@@ -19,7 +23,7 @@ pub const MIN_LENGTH: f64 = 1e-9;
 /// Why a curve cannot be made from the given numbers.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum CurveError {
-    /// A coordinate is not finite or beyond [`MAX_COORDINATE`].
+    /// A coordinate is not finite, or too large for a curve or to be programmed.
     OutOfRange {
         /// The point as given.
         point: DVec2,
@@ -102,9 +106,13 @@ pub fn in_range(point: DVec2) -> bool {
     point.x.abs() <= MAX_COORDINATE && point.y.abs() <= MAX_COORDINATE
 }
 
-/// Accepts a point that is [`in_range`].
+/// Accepts a point whose coordinates are finite and within [`MAX_REACH`].
 pub(super) fn checked_point(point: DVec2) -> Result<(), CurveError> {
-    if in_range(point) { Ok(()) } else { Err(CurveError::OutOfRange { point }) }
+    if point.x.abs() <= MAX_REACH && point.y.abs() <= MAX_REACH {
+        Ok(())
+    } else {
+        Err(CurveError::OutOfRange { point })
+    }
 }
 
 /// A programmed curve: what a segment of a contour is made of.

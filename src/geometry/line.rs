@@ -7,7 +7,7 @@ use super::{Bounds, CurveError, MIN_LENGTH, Nearest, curve::checked_point};
 /// A straight line between two points.
 ///
 /// # Guarantees
-/// Both points are finite and within [`MAX_COORDINATE`](super::MAX_COORDINATE); they are at least
+/// Both points are finite and at most 1e9 mm; they are at least
 /// [`MIN_LENGTH`] apart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Line {

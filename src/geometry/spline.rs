@@ -63,7 +63,7 @@ const LEAST_INTERVAL: f64 = 1e-13;
 /// The C2 cubic spline through type points.
 ///
 /// # Guarantees
-/// All type points are finite and within [`MAX_COORDINATE`](super::MAX_COORDINATE), successive
+/// All type points are finite and at most 1e9 mm, successive
 /// ones at least [`MIN_LENGTH`] and 1e-13 of the curve apart. There are at least two spans, or one with a tangent given
 /// at an end. There is one cubic for each span, and they join with equal first and second
 /// derivative by the spline's parameter. A periodic spline repeats its first type point as its
