@@ -210,6 +210,20 @@ fn a_lead_that_starts_or_ends_beside_the_contour_keeps_its_change_of_height() {
 }
 
 #[test]
+fn what_follows_a_cycle_starts_where_it_led() {
+    let text = "G0 X0 Y0 Z5\nG81 X20 Y20 Z-3 R1 F600\nG91 X20\nG80 G90\nG0 X50\nG91 G1 Y5\n";
+    let path = path_of(text, 3.0);
+    assert_eq!(codes(&path), [("not-supported", Severity::Error); 2], "{:?}", path.diagnostics);
+    let ends: Vec<_> = path.moves.iter().map(|m| m.curve.end().to_array()).collect();
+    assert_eq!(ends, [[0.0, 0.0], [50.0, 20.0], [50.0, 25.0]], "the holes apart");
+    assert!(path.moves.iter().all(|m| m.z[1] == 5.0), "{:?}", path.moves);
+    let text = "G0 X0 Y0 Z5\nG81 X20 Y20 Z-3 R1 F600\nG80 G41 G1 X30\nX50\nG40 X60\n";
+    let ends: Vec<_> = path_of(text, 3.0).moves.iter().map(|m| m.curve.end().to_array()).collect();
+    let expected = [[0.0, 0.0], [20.0, 20.0], [30.0, 23.0], [50.0, 23.0], [60.0, 20.0]];
+    assert_eq!(ends, expected, "over the hole to the lead-in");
+}
+
+#[test]
 fn a_lead_shorter_than_the_radius_is_reported() {
     let text = "G0 X-2 Y0\nG41 D1 G1 X0 Y0 F600\nX50\nG40 X52\n";
     let warning = Severity::Warning;

@@ -39,6 +39,11 @@ impl Interpreter {
                 if stated || words.has_any("XYZIJKRPQ") {
                     let column = words.unused().next().map_or(1, |(_, word)| word.column);
                     self.not_supported(block, column, what);
+                    // It is missing, but what follows starts where it would have led.
+                    if let Some((mut axes, to)) = self.target(block, words) {
+                        axes.words[2] = None;
+                        self.arrive(&axes, to.truncate().extend(self.modal.position.z));
+                    }
                     words.take_all(GEOMETRY);
                 }
             }
