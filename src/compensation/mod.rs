@@ -9,6 +9,7 @@
 mod assemble;
 mod joint;
 mod lead;
+mod meet;
 mod offset;
 mod options;
 mod path;

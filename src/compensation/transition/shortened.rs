@@ -8,10 +8,8 @@
 use glam::DVec2;
 
 use super::{Joint, Place, Terminal, Vertices};
+use crate::compensation::meet::meet;
 use crate::contour::{MoveCurve, Tool};
-use crate::geometry::intersect::{
-    Crossing, Intersections, arc_arc, arc_cubic, cubic_cubic, line_arc, line_cubic, line_line,
-};
 use crate::geometry::{Bounds, cross, in_range};
 
 /// Sine of the angle below which two offsets touch rather than cross: neighbouring pieces of one
@@ -108,7 +106,7 @@ fn last_crossing(
             if !reach_a.meets(&boxes[j]) || (same && j >= i) {
                 continue;
             }
-            for crossing in intersect(a, b).points() {
+            for crossing in meet(a, b).points() {
                 let (t, u) = (crossing.t, crossing.u);
                 let shortens = sign * cross(a.tangent(t), b.tangent(u)) > TOUCH;
                 if shortens && best.is_none_or(|(place, ..)| t > place.t) {
@@ -131,21 +129,4 @@ fn reach(piece: &MoveCurve) -> Bounds {
         MoveCurve::Line(_) | MoveCurve::Arc(_) | MoveCurve::Vertical(_) => piece.bounds(),
     };
     bounds.inflated(crate::geometry::MIN_LENGTH)
-}
-
-/// Where two pieces meet.
-fn intersect(a: &MoveCurve, b: &MoveCurve) -> Intersections {
-    use MoveCurve::{Arc, Cubic, Line, Vertical};
-    match (a, b) {
-        (Line(a), Line(b)) => line_line(a, b),
-        (Line(a), Arc(b)) => line_arc(a, b),
-        (Arc(a), Line(b)) => line_arc(b, a).exchanged(),
-        (Arc(a), Arc(b)) => arc_arc(a, b),
-        (Line(a), Cubic(b)) => line_cubic(a, b),
-        (Cubic(a), Line(b)) => line_cubic(b, a).exchanged(),
-        (Arc(a), Cubic(b)) => arc_cubic(a, b),
-        (Cubic(a), Arc(b)) => arc_cubic(b, a).exchanged(),
-        (Cubic(a), Cubic(b)) => cubic_cubic(a, b),
-        (Vertical(_), _) | (_, Vertical(_)) => Intersections::Points(Vec::<Crossing>::new()),
-    }
 }
