@@ -68,7 +68,7 @@
 //! | --- | --- | --- |
 //! | 6 | `js` (feature `js`) | nothing hidden: it converts, calls, converts |
 //! | 5 | [`simulation`] | the text of a program |
-//! | 4 | [`program`], [`compensation`] | each other; `compensation` knows no G-code |
+//! | 4 | [`program`], [`compensation`], [`gouge`] | each other; `compensation` knows no G-code, and `gouge` judges its paths without sharing its code |
 //! | 3 | [`contour`] | how a contour becomes a path |
 //! | 2 | [`geometry`] | that tools exist |
 //! | 1 | [`diagnostic`] | everything |
@@ -92,6 +92,7 @@ pub mod compensation;
 pub mod contour;
 pub mod diagnostic;
 pub mod geometry;
+pub mod gouge;
 #[cfg(feature = "js")]
 pub mod js;
 pub mod program;

@@ -12,6 +12,7 @@ mod fuzz;
 mod gouges;
 mod inside_corners;
 mod judge;
+mod judged;
 mod leads;
 mod radii;
 mod random_contours;
