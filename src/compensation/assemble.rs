@@ -55,7 +55,7 @@ pub fn compensate(contour: &Contour, tool: Tool, options: &Options) -> ToolPath 
 
 /// The finest tolerance that the digits of the coordinates can keep [mm]: 1e-11 of the largest
 /// coordinate of the path, which is 5 digits above its rounding.
-fn finest_tolerance(contour: &Contour, tool: Tool) -> f64 {
+pub(super) fn finest_tolerance(contour: &Contour, tool: Tool) -> f64 {
     let largest = |point: DVec2| point.abs().max_element();
     let farthest = contour.segments().iter().map(|segment| match &segment.curve {
         Curve::Line(line) => largest(line.end()),

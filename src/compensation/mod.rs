@@ -7,6 +7,7 @@
 //! two segments of a corner: gouges between distant segments are not seen here, nor avoided.
 
 mod assemble;
+mod avoid;
 mod joint;
 mod lead;
 mod meet;
@@ -19,4 +20,5 @@ mod transition;
 mod type_points;
 
 pub use assemble::compensate;
+pub use avoid::avoid;
 pub use options::{CornerStyle, LeadStyle, MIN_TOLERANCE, Options, SplineMethod, TangentBand};

@@ -46,6 +46,12 @@ impl PathBuilder {
         }
     }
 
+    /// Appends one move of a piece of path that may start anywhere, at the height of its segment's
+    /// end.
+    pub(super) fn piece(&mut self, curve: MoveCurve, role: Role, attributes: &Attributes) {
+        self.push(curve, role, attributes, [attributes.z[1]; 2]);
+    }
+
     /// A straight move to `point`. If the tool is there already, only its height changes.
     pub(super) fn line_to(&mut self, from: DVec2, point: DVec2, role: Role, with: &Attributes) {
         match Line::new(from, point) {

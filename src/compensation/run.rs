@@ -124,7 +124,7 @@ impl<'a> Run<'a> {
 }
 
 /// The part of a piece between two parameters; for an arc they may lie beyond its ends.
-fn part(piece: &MoveCurve, from: f64, to: f64) -> Option<MoveCurve> {
+pub(super) fn part(piece: &MoveCurve, from: f64, to: f64) -> Option<MoveCurve> {
     if from == 0.0 && to == 1.0 {
         return Some(*piece);
     }

@@ -152,6 +152,17 @@ pub enum GougeKind {
     Bottleneck,
 }
 
+/// Material that should go but that the tool cannot reach.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Uncut {
+    /// Its outline: along the contour, and back along the tool where it comes nearest [mm].
+    pub outline: Vec<DVec2>,
+    /// Its area [mm²].
+    pub area: f64,
+    /// The segments that the tool does not reach all of.
+    pub segments: Vec<Origin>,
+}
+
 /// Words that move nothing, to be passed through in their place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AuxiliaryWords {
@@ -177,6 +188,8 @@ pub struct ToolPath {
     pub diagnostics: Vec<Diagnostic>,
     /// Local gouges of the path.
     pub gouges: Vec<Gouge>,
+    /// What the tool cannot reach, where that was looked for.
+    pub uncut: Vec<Uncut>,
     /// Words to be passed through.
     pub words: Vec<AuxiliaryWords>,
 }
@@ -191,6 +204,7 @@ impl ToolPath {
         self.transitions.append(&mut other.transitions);
         self.diagnostics.append(&mut other.diagnostics);
         self.gouges.append(&mut other.gouges);
+        self.uncut.append(&mut other.uncut);
         self.words.append(&mut other.words);
     }
 }

@@ -4,6 +4,7 @@
 mod common;
 
 mod attributes;
+mod avoided;
 mod brute;
 mod closed_forms;
 mod corners;
