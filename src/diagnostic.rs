@@ -73,6 +73,8 @@ pub struct Diagnostic {
     pub segments: Vec<Origin>,
 }
 
+// Never inlined: a hundred places make a diagnostic, none of them in a hurry, and each copy of
+// these counts in WebAssembly.
 impl Diagnostic {
     /// A finding that the user need not act on.
     pub fn info(code: &'static str, message: impl Into<String>) -> Self {
@@ -89,6 +91,7 @@ impl Diagnostic {
         Self::new(Severity::Error, code, message.into())
     }
 
+    #[inline(never)]
     fn new(severity: Severity, code: &'static str, message: String) -> Self {
         Self {
             severity,
@@ -103,6 +106,7 @@ impl Diagnostic {
     }
 
     /// Adds what to do about it.
+    #[inline(never)]
     #[must_use]
     pub fn with_hint(mut self, hint: impl Into<String>) -> Self {
         self.hint = Some(hint.into());
@@ -110,6 +114,7 @@ impl Diagnostic {
     }
 
     /// Adds the point concerned [mm].
+    #[inline(never)]
     #[must_use]
     pub fn with_point(mut self, at: DVec2) -> Self {
         self.at = Some(at);
@@ -117,6 +122,7 @@ impl Diagnostic {
     }
 
     /// Adds the block or segment concerned.
+    #[inline(never)]
     #[must_use]
     pub fn with_origin(mut self, origin: Origin) -> Self {
         self.origin = Some(origin);
@@ -124,6 +130,7 @@ impl Diagnostic {
     }
 
     /// Adds how deep the tool cuts into material that should stay [mm].
+    #[inline(never)]
     #[must_use]
     pub fn with_depth(mut self, depth: f64) -> Self {
         self.depth = Some(depth);
@@ -131,6 +138,7 @@ impl Diagnostic {
     }
 
     /// Adds all segments concerned.
+    #[inline(never)]
     #[must_use]
     pub fn with_segments(mut self, segments: impl IntoIterator<Item = Origin>) -> Self {
         self.segments = segments.into_iter().collect();

@@ -28,14 +28,17 @@ pub struct Block {
     pub comments: Vec<String>,
 }
 
+// Never inlined: asked for wherever a diagnostic is made.
 impl Block {
     /// The place of the block.
+    #[inline(never)]
     #[must_use]
     pub fn origin(&self) -> Origin {
         Origin::Block { line: self.line, number: self.number, column: None }
     }
 
     /// The place of a column of the block.
+    #[inline(never)]
     #[must_use]
     pub fn origin_at(&self, column: u32) -> Origin {
         Origin::Block { line: self.line, number: self.number, column: Some(column) }

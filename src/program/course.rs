@@ -75,9 +75,9 @@ enum State {
     /// G41 or G42 was read, its first straight move was not.
     Waiting(SwitchOn),
     /// In a contour.
-    On(Open),
+    On(Box<Open>),
     /// G40 was read, its first straight move was not.
-    Ending(Open),
+    Ending(Box<Open>),
 }
 
 /// A contour whose end is not known yet.
@@ -93,14 +93,14 @@ struct Open {
 }
 
 impl Open {
-    fn new(switched: SwitchOn, start: DVec2, lead_in: Option<Lead>) -> Self {
+    fn new(switched: SwitchOn, start: DVec2, lead_in: Option<Lead>) -> Box<Self> {
         let mut builder = ContourBuilder::new(start);
         let mut last_line = line_of(switched.origin);
         if let Some(lead) = lead_in {
             builder.lead_in(lead);
             last_line = line_of(lead.attributes.origin);
         }
-        Self { switched, builder, start, lead_in, events: Vec::new(), last_line }
+        Box::new(Self { switched, builder, start, lead_in, events: Vec::new(), last_line })
     }
 
     fn event(&mut self, kind: EventKind, origin: Origin) {
@@ -307,7 +307,7 @@ impl Course {
     }
 
     /// Makes the contour, or free moves where there is nothing to compensate.
-    fn close(&mut self, mut open: Open, lead_out: Option<Lead>, report: &mut Report) {
+    fn close(&mut self, mut open: Box<Open>, lead_out: Option<Lead>, report: &mut Report) {
         let mut last_line = open.last_line;
         if let Some(lead) = lead_out {
             open.builder.lead_out(lead);
