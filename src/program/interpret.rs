@@ -116,10 +116,11 @@ impl Interpreter {
             words.take_all(GEOMETRY);
         }
         if self.spline.is_some() && auxiliary.has_words() {
-            self.report.push(
-                Diagnostic::warning("words-in-spline", "words between type points act before them")
-                    .with_origin(block.origin())
-                    .with_hint("put them before or after the spline"),
+            self.report.warning(
+                "words-in-spline",
+                "words between type points act before them",
+                block.origin(),
+                "put them before or after the spline",
             );
         }
         let end = auxiliary.end;
@@ -135,7 +136,7 @@ impl Interpreter {
         } else if let Some(axis) = words.unused().map(|(_, word)| word).find(|w| is_axis(w)) {
             self.error(
                 "no-motion-mode",
-                "no word has said yet how the axes move".into(),
+                "no word has said yet how the axes move",
                 block.origin_at(axis.column),
                 "put G00 or G01 into the block",
             );
@@ -155,11 +156,11 @@ impl Interpreter {
     pub(super) fn error(
         &mut self,
         code: &'static str,
-        message: String,
+        message: impl Into<String>,
         origin: Origin,
         hint: &str,
     ) {
-        self.report.push(Diagnostic::error(code, message).with_origin(origin).with_hint(hint));
+        self.report.error(code, message, origin, hint);
     }
 
     /// Sets the modes, and collects what else the G words ask for.
@@ -226,10 +227,11 @@ impl Interpreter {
                 }
                 GWord::LeftOut(what, letters) => {
                     words.take_all(letters);
-                    self.report.push(
-                        Diagnostic::warning("left-out", format!("{what} is left out"))
-                            .with_origin(block.origin_at(word.column))
-                            .with_hint("set it on the machine"),
+                    self.report.warning(
+                        "left-out",
+                        format!("{what} is left out"),
+                        block.origin_at(word.column),
+                        "set it on the machine",
                     );
                 }
                 GWord::Noted(what, letters) => {
@@ -263,10 +265,11 @@ impl Interpreter {
             }
             SplineWord::Smoothing(what) => {
                 words.take_all("PQRXYZ");
-                self.report.push(
-                    Diagnostic::warning("left-out", format!("{what} is left out"))
-                        .with_origin(block.origin_at(column))
-                        .with_hint("the path is the one programmed, not smoothed"),
+                self.report.warning(
+                    "left-out",
+                    format!("{what} is left out"),
+                    block.origin_at(column),
+                    "the path is the one programmed, not smoothed",
                 );
                 return;
             }
@@ -343,17 +346,18 @@ impl Interpreter {
         let time = ['P', 'X', 'U'].into_iter().find_map(|letter| words.take(letter));
         let Some(time) = time.filter(|time| time.value >= 0.0) else {
             let at = block.origin_at(word.column);
-            self.error("bad-dwell", "the dwell (G04) has no time".into(), at, "add P in seconds");
+            self.error("bad-dwell", "the dwell (G04) has no time", at, "add P in seconds");
             return;
         };
         // No one waits that long on purpose; FANUC counts P in milliseconds.
         if time.letter == 'P' && time.value >= 100.0 {
             let message =
                 format!("the dwell of {} is passed on in seconds", Decimal::of(time.value));
-            self.report.push(
-                Diagnostic::warning("long-dwell", message)
-                    .with_origin(block.origin_at(time.column))
-                    .with_hint("where P counts milliseconds, divide it by 1000"),
+            self.report.warning(
+                "long-dwell",
+                message,
+                block.origin_at(time.column),
+                "where P counts milliseconds, divide it by 1000",
             );
         }
         let mut text = String::from("G4 ");
@@ -364,10 +368,11 @@ impl Interpreter {
     fn changed_while_on(&mut self, block: &Block, word: &Word, what: &str) {
         if self.course.side().is_some() {
             let message = format!("{what} changes while compensation is on");
-            self.report.push(
-                Diagnostic::warning("changed-while-on", message)
-                    .with_origin(block.origin_at(word.column))
-                    .with_hint("switch compensation off with G40 before"),
+            self.report.warning(
+                "changed-while-on",
+                message,
+                block.origin_at(word.column),
+                "switch compensation off with G40 before",
             );
         }
     }

@@ -3,7 +3,6 @@
 use super::block::{Block, Word};
 use super::number::{NumberError, parse_number, whole};
 use super::report::Report;
-use crate::diagnostic::Diagnostic;
 
 /// Most words of a block. Controls allow about 250 characters; a line without end is no block.
 const MOST_WORDS: usize = 100;
@@ -89,9 +88,8 @@ impl<'a> Lexer<'a> {
         self.take_while(char::is_whitespace);
     }
 
-    fn error(&mut self, code: &'static str, message: String, column: u32, hint: &str) {
-        let origin = self.block.origin_at(column);
-        self.report.push(Diagnostic::error(code, message).with_origin(origin).with_hint(hint));
+    fn error(&mut self, code: &'static str, message: impl Into<String>, column: u32, hint: &str) {
+        self.report.error(code, message, self.block.origin_at(column), hint);
     }
 
     /// Reads what begins with `c`.
@@ -112,7 +110,7 @@ impl<'a> Lexer<'a> {
                 let column = self.column;
                 self.error(
                     "unsupported-flow",
-                    "subprograms and loops (O words) are not supported".into(),
+                    "subprograms and loops (O words) are not supported",
                     column,
                     "the block is left out; write the blocks out one by one",
                 );
@@ -148,10 +146,9 @@ impl<'a> Lexer<'a> {
         let mut comment: String = text.trim_end().chars().filter(|c| !c.is_control()).collect();
         if opening == '(' && end.is_none() {
             comment.push(')');
-            let diagnostic = Diagnostic::warning("unclosed-comment", "the comment has no end")
-                .with_origin(self.block.origin_at(column))
-                .with_hint("the rest of the line counts as comment");
-            self.report.push(diagnostic);
+            let origin = self.block.origin_at(column);
+            let hint = "the rest of the line counts as comment";
+            self.report.warning("unclosed-comment", "the comment has no end", origin, hint);
         }
         self.block.comments.push(comment);
     }
@@ -217,7 +214,7 @@ impl<'a> Lexer<'a> {
         let column = self.column;
         self.error(
             "unsupported-expression",
-            "variables (#) and expressions ([ ]) are not supported".into(),
+            "variables (#) and expressions ([ ]) are not supported",
             column,
             "the word is left out; write its number",
         );

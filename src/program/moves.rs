@@ -96,7 +96,7 @@ impl Interpreter {
         if to.abs().max_element() > MAX_COORDINATE {
             self.error(
                 "out-of-range",
-                "the block leads farther out than 1e7 mm".into(),
+                "the block leads farther out than 1e7 mm",
                 block.origin_at(column),
                 "the block makes no move",
             );
@@ -105,13 +105,11 @@ impl Interpreter {
         }
         let unknown = (0..3).any(|i| axes.words[i].is_some() && !self.modal.stated[i]);
         if self.modal.relative && unknown {
-            self.report.push(
-                Diagnostic::warning(
-                    "unknown-start",
-                    "incremental coordinates (G91) before the program says where the tool is",
-                )
-                .with_origin(block.origin_at(column))
-                .with_hint("the start counts as zero; state it with G90 first"),
+            self.report.warning(
+                "unknown-start",
+                "incremental coordinates (G91) before the program says where the tool is",
+                block.origin_at(column),
+                "the start counts as zero; state it with G90 first",
             );
             self.modal.stated = [true; 3];
         }
@@ -216,7 +214,7 @@ impl Interpreter {
         if let Some(k) = k {
             self.error(
                 "contradictory-words",
-                "K belongs to the planes G18 and G19".into(),
+                "K belongs to the planes G18 and G19",
                 block.origin_at(k.column),
                 "in the plane G17 the centre is I J",
             );
@@ -229,7 +227,7 @@ impl Interpreter {
             if let Some(center) = i.or(j) {
                 self.error(
                     "contradictory-words",
-                    "the arc has a radius and a centre".into(),
+                    "the arc has a radius and a centre",
                     block.origin_at(center.column),
                     "the radius counts; leave out R, or I and J",
                 );
@@ -241,7 +239,7 @@ impl Interpreter {
         if i.is_none() && j.is_none() {
             self.error(
                 "arc-without-centre",
-                "the arc has neither centre nor radius".into(),
+                "the arc has neither centre nor radius",
                 block.origin(),
                 "add I and J, or R; a straight line stands in its place",
             );
@@ -250,7 +248,7 @@ impl Interpreter {
         if self.modal.absolute_center && (i.is_none() || j.is_none()) {
             self.error(
                 "arc-without-centre",
-                "an absolute centre (G90.1) needs both I and J".into(),
+                "an absolute centre (G90.1) needs both I and J",
                 block.origin(),
                 "the missing one is taken from the arc's start",
             );
@@ -271,7 +269,7 @@ impl Interpreter {
         {
             self.error(
                 "z-in-spline",
-                "a spline through type points has one height".into(),
+                "a spline through type points has one height",
                 block.origin_at(z.column),
                 "the Z word has no effect; move along z before or after the spline",
             );
@@ -292,11 +290,7 @@ impl Interpreter {
         let spline = self.spline.get_or_insert_with(|| PendingSpline::new(from, attributes));
         let feed = spline.feed();
         match spline.add(to.truncate(), attributes) {
-            Added::Point if feed.is_some() && feed != attributes.feed => self.report.push(
-                Diagnostic::warning("feed-in-spline", "the feed changes within a spline")
-                    .with_origin(block.origin())
-                    .with_hint("the spline runs at the feed of its first block; end it with a repeated point to change the feed"),
-            ),
+            Added::Point if feed.is_some() && feed != attributes.feed => self.report.warning("feed-in-spline", "the feed changes within a spline", block.origin(), "the spline runs at the feed of its first block; end it with a repeated point to change the feed"),
             Added::Point | Added::Repeated => {}
             Added::Corner(ended) => {
                 if let Some((start, shape, attributes)) = ended.finish() {

@@ -34,6 +34,28 @@ impl Report {
         }
     }
 
+    /// Reports what cannot be done as programmed, and what is done instead.
+    pub(super) fn error(
+        &mut self,
+        code: &'static str,
+        message: impl Into<String>,
+        origin: Origin,
+        hint: &str,
+    ) {
+        self.push(Diagnostic::error(code, message).with_origin(origin).with_hint(hint));
+    }
+
+    /// Reports what may not be what is meant, and what to do about it.
+    pub(super) fn warning(
+        &mut self,
+        code: &'static str,
+        message: impl Into<String>,
+        origin: Origin,
+        hint: &str,
+    ) {
+        self.push(Diagnostic::warning(code, message).with_origin(origin).with_hint(hint));
+    }
+
     pub(super) fn extend(&mut self, diagnostics: impl IntoIterator<Item = Diagnostic>) {
         for diagnostic in diagnostics {
             self.push(diagnostic);

@@ -6,7 +6,7 @@ use super::g_words::Compensation;
 use super::interpret::Interpreter;
 use super::number::whole;
 use super::words::Words;
-use crate::diagnostic::{Diagnostic, Origin};
+use crate::diagnostic::Origin;
 use crate::geometry::Decimal;
 
 impl Interpreter {
@@ -35,7 +35,7 @@ impl Interpreter {
             }
             Some((Compensation::Diameter(side), _)) => {
                 let Some(diameter) = number else {
-                    let message = "G41.1 and G42.1 need the diameter as a D word".into();
+                    let message = "G41.1 and G42.1 need the diameter as a D word";
                     self.error("missing-diameter", message, origin, "compensation stays off");
                     return;
                 };
@@ -77,10 +77,11 @@ impl Interpreter {
     fn radius_source(&mut self, origin: Origin) -> RadiusSource {
         match self.modal.radius_number {
             Some(0) => {
-                self.report.push(
-                    Diagnostic::warning("no-radius", "D0 means no radius: nothing is compensated")
-                        .with_origin(origin)
-                        .with_hint("give the number of the tool as a D word"),
+                self.report.warning(
+                    "no-radius",
+                    "D0 means no radius: nothing is compensated",
+                    origin,
+                    "give the number of the tool as a D word",
                 );
                 RadiusSource::Given(0.0)
             }
