@@ -1,5 +1,7 @@
 //! Arc and arc.
 
+use glam::DVec2;
+
 use super::{Crossing, END_SLACK, Intersections};
 use crate::geometry::{Arc, perp};
 
@@ -22,16 +24,23 @@ pub fn arc_arc(a: &Arc, b: &Arc) -> Intersections {
     let middle = a.center() + along * foot;
     let offset = perp(along) * half_chord;
     // Closer than the slack the two points are one: the circles touch.
-    let candidates =
-        if half_chord <= END_SLACK { vec![middle] } else { vec![middle - offset, middle + offset] };
-    let crossings = candidates
-        .into_iter()
-        .filter_map(|point| {
-            let t = a.parameter_within(point, END_SLACK)?;
-            let u = b.parameter_within(point, END_SLACK)?;
-            Some(Crossing { point, t, u })
-        })
-        .collect();
+    if half_chord <= END_SLACK {
+        among(&[middle], a, b)
+    } else {
+        among(&[middle - offset, middle + offset], a, b)
+    }
+}
+
+/// The crossings among points of both circles.
+fn among(points: &[DVec2], a: &Arc, b: &Arc) -> Intersections {
+    let mut crossings = Vec::new();
+    for &point in points {
+        let t = a.parameter_within(point, END_SLACK);
+        let u = b.parameter_within(point, END_SLACK);
+        if let (Some(t), Some(u)) = (t, u) {
+            crossings.push(Crossing { point, t, u });
+        }
+    }
     Intersections::sorted(crossings)
 }
 
@@ -48,13 +57,5 @@ fn same_circle(a: &Arc, b: &Arc) -> Intersections {
     if shares {
         return Intersections::Coincident;
     }
-    let crossings = [b.start(), b.end()]
-        .into_iter()
-        .filter_map(|point| {
-            let t = a.parameter_within(point, END_SLACK)?;
-            let u = b.parameter_within(point, END_SLACK)?;
-            Some(Crossing { point, t, u })
-        })
-        .collect();
-    Intersections::sorted(crossings)
+    among(&[b.start(), b.end()], a, b)
 }

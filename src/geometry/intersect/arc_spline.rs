@@ -30,13 +30,12 @@ pub fn arc_cubic(arc: &Arc, cubic: &Cubic) -> Intersections {
         *slope = pair[1] - pair[0];
     }
     let distance = |u| cubic.point(u).distance(arc.center()) - arc.radius();
-    let crossings = with_touches(with_ends(roots(&squared), at_ends), roots(&slopes), distance)
-        .into_iter()
-        .filter_map(|u| {
-            let point = cubic.point(u);
-            let t = arc.parameter_within(point, END_SLACK)?;
-            Some(Crossing { point, t, u })
-        })
-        .collect();
+    let mut crossings = Vec::new();
+    for u in with_touches(with_ends(roots(&squared), at_ends), roots(&slopes), distance) {
+        let point = cubic.point(u);
+        if let Some(t) = arc.parameter_within(point, END_SLACK) {
+            crossings.push(Crossing { point, t, u });
+        }
+    }
     Intersections::sorted(crossings)
 }

@@ -9,15 +9,14 @@ use crate::geometry::{Arc, Line, cross};
 #[must_use]
 pub fn line_arc(line: &Line, arc: &Arc) -> Intersections {
     let length = line.length();
-    let crossings = line_circle(line, arc.center(), arc.radius())
-        .into_iter()
-        .filter_map(|t| {
-            let t = within(t, length)?;
-            let point = line.point(t);
-            let u = arc.parameter_within(point, END_SLACK)?;
-            Some(Crossing { point, t, u })
-        })
-        .collect();
+    let mut crossings = Vec::new();
+    for t in line_circle(line, arc.center(), arc.radius()) {
+        let Some(t) = within(t, length) else { continue };
+        let point = line.point(t);
+        if let Some(u) = arc.parameter_within(point, END_SLACK) {
+            crossings.push(Crossing { point, t, u });
+        }
+    }
     Intersections::Points(crossings)
 }
 

@@ -29,13 +29,12 @@ pub fn line_cubic(line: &Line, cubic: &Cubic) -> Intersections {
         distances[3] - distances[2],
     ]);
     let distance = |u| cross(along, cubic.point(u) - line.start());
-    let crossings = with_touches(with_ends(roots(&distances), at_ends), touches, distance)
-        .into_iter()
-        .filter_map(|u| {
-            let point = cubic.point(u);
-            let t = within(along.dot(point - line.start()) / length, length)?;
-            Some(Crossing { point, t, u })
-        })
-        .collect();
+    let mut crossings = Vec::new();
+    for u in with_touches(with_ends(roots(&distances), at_ends), touches, distance) {
+        let point = cubic.point(u);
+        if let Some(t) = within(along.dot(point - line.start()) / length, length) {
+            crossings.push(Crossing { point, t, u });
+        }
+    }
     Intersections::sorted(crossings)
 }
