@@ -157,6 +157,15 @@ fn without_a_lead_out_the_tool_goes_on_from_where_it_is() {
     assert_eq!(last.curve, MoveCurve::Vertical(DVec2::new(50.0, 3.0)), "it retracts in place");
     assert_eq!(path.words[0].before, path.moves.len(), "M30 comes last");
 
+    let text = "G0 X0 Y-20\nG41 D1 G1 X0 Y0 F600\nX50\nG40\nG41 Y30\nX90\nG40 Y0\n";
+    let path = path_of(text, 3.0);
+    assert_eq!(codes(&path), [("no-lead-out", Severity::Warning)], "{:?}", path.diagnostics);
+    let ends: Vec<_> = path.moves.iter().map(|m| m.curve.end().to_array()).collect();
+    assert!(
+        ends.windows(2).any(|p| p == [[50.0, 3.0], [47.0, 30.0]]),
+        "clear of the part: {ends:?}"
+    );
+
     let text = "G0 X0 Y-20\nG41 D1 G1 X0 Y0 F600\nX50\nG40 G2 X60 Y10 R10\n";
     let path = path_of(text, 3.0);
     assert_eq!(codes(&path), [("curved-lead-out", Severity::Error)], "an arc cannot lead out");

@@ -77,11 +77,19 @@ impl Course {
     fn contour(&mut self, programmed: &ProgrammedContour, tools: &Tools, options: &Options) {
         let origin = Origin::Block { line: programmed.blocks[0], number: None, column: None };
         let tool = self.tool(programmed, tools, origin);
-        let compensated = compensate(&programmed.contour, tool, options);
-        if let Some(first) = compensated.moves.first()
+        let mut compensated = compensate(&programmed.contour, tool, options);
+        let follows_a_contour = self.path.moves.last().is_some_and(|last| last.role != Role::Free);
+        if let Some(first) = compensated.moves.first_mut()
             && let Some(at) = self.elsewhere(first.curve.start())
         {
-            self.join(at, first, Role::Transition);
+            match Line::new(at, first.curve.end()) {
+                // Without a lead-out before it the tool leads in from beside that contour: on the
+                // contour, where the program is, it would cut into the part.
+                Ok(line) if follows_a_contour && first.role == Role::LeadIn => {
+                    first.curve = MoveCurve::Line(line);
+                }
+                _ => self.join(at, first, Role::Transition),
+            }
         }
         self.path.append(compensated);
     }
