@@ -265,6 +265,13 @@ fn a_repeated_type_point_is_a_corner_between_two_splines() {
 }
 
 #[test]
+fn a_feed_that_changes_within_a_spline_is_reported_once() {
+    let read = read("G0 X0 Y0\nG5 X5 Y5 F300\nX10 Y0 F200\nX15 Y5\nX20 Y0\n");
+    assert_eq!(found(&read), [("feed-in-spline", WARNING, 3, None)], "one change");
+    read_clean("G0 X0 Y0\nG5 X5 Y5 F300\nX10 Y0\nX10 Y0\nX15 Y5 F200\nX20 Y0\n");
+}
+
+#[test]
 fn free_type_points_are_cubics() {
     let read = read_clean("G0 X10 Y0\nG05 X20 Y5 F100\nX30 Y0\nX40 Y-5\n");
     let moves = moves(&read);

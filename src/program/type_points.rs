@@ -67,11 +67,13 @@ pub(super) struct PendingSpline {
     points: Vec<DVec2>,
     /// Of its first block.
     attributes: Attributes,
+    /// Feed of its latest type point that has one [mm/s].
+    feed: Option<f64>,
 }
 
 impl PendingSpline {
     pub(super) fn new(start: DVec2, attributes: Attributes) -> Self {
-        Self { start, points: Vec::new(), attributes }
+        Self { start, points: Vec::new(), attributes, feed: None }
     }
 
     /// Adds a type point with what was programmed in its block.
@@ -82,6 +84,7 @@ impl PendingSpline {
             }
             self.points.push(point);
             self.attributes = attributes;
+            self.feed = attributes.feed;
             return Added::Point;
         };
         if point.distance(last) < MIN_LENGTH {
@@ -89,12 +92,13 @@ impl PendingSpline {
         }
         self.points.push(point);
         self.attributes.feed = self.attributes.feed.or(attributes.feed);
+        self.feed = attributes.feed.or(self.feed);
         Added::Point
     }
 
-    /// Feed of its first block that has one [mm/s].
+    /// Feed of its latest type point that has one [mm/s].
     pub(super) fn feed(&self) -> Option<f64> {
-        self.attributes.feed
+        self.feed
     }
 
     /// Where it starts, its shape and attributes; `None` where it never got a point.
