@@ -284,14 +284,11 @@ impl Assembly<'_> {
         let (moves, backwards) = run.between(start, end);
         let around = i.saturating_sub(1)..(i + 2).min(self.runs.len());
         let segments: Vec<_> = self.runs[around].iter().map(|run| run.segment).collect();
-        for bend in run.bends.iter().filter(|bend| bend.depth > tolerance) {
-            // A spline's bend was measured on the whole spline; an arc may cut its neighbours
-            // deeper than itself.
-            let bend = match run.segment.curve {
-                Curve::Arc(_) => report::deeper(bend, &moves, &segments, self.tool),
-                _ => *bend,
-            };
-            report::bend(&mut builder.path, &bend, attributes.origin, self.tool);
+        for bend in &run.bends {
+            let cut = report::as_cut(bend, &moves, run.segment, &segments, self.tool, tolerance);
+            if cut.depth > tolerance {
+                report::bend(&mut builder.path, &cut, attributes.origin, self.tool);
+            }
         }
         if backwards {
             report::backwards(
@@ -343,6 +340,13 @@ impl Assembly<'_> {
                 .with_hint("use a smaller tool, or fewer type points in the bend"),
             );
         }
+        let moves = as_moves(&moved);
+        for bend in &run.bends {
+            let cut = report::as_moved(bend, &moves, run.segment, self.tool);
+            if cut.depth > self.options.usable_tolerance() {
+                report::bend(&mut builder.path, &cut, origin, self.tool);
+            }
+        }
         let (deviation, at) = polygon.deviation(&moved);
         builder.path.diagnostics.push(
             Diagnostic::info(
@@ -353,6 +357,6 @@ impl Assembly<'_> {
             .with_depth(deviation)
             .with_origin(origin),
         );
-        builder.moves(&as_moves(&moved), Role::Segment, attributes);
+        builder.moves(&moves, Role::Segment, attributes);
     }
 }

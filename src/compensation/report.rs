@@ -31,10 +31,50 @@ pub(super) fn bend(path: &mut ToolPath, bend: &Bend, origin: Origin, tool: Tool)
     );
 }
 
-/// The bend, or the deeper cut that the moves along it make into the segments around it.
-pub(super) fn deeper(bend: &Bend, moves: &[MoveCurve], segments: &[&Segment], tool: Tool) -> Bend {
-    let (depth, at) = depth_of(moves, segments, tool, bend.at);
-    if depth > bend.depth { Bend { at, depth, ..*bend } } else { *bend }
+/// A bend as `moves`, what corners have left of its offset, cut it: not at all where they have cut
+/// it away, and deeper where they reach into a neighbour too.
+pub(super) fn as_cut(
+    bend: &Bend,
+    moves: &[MoveCurve],
+    segment: &Segment,
+    around: &[&Segment],
+    tool: Tool,
+    tolerance: f64,
+) -> Bend {
+    let r = tool.radius();
+    let beside: Vec<&Segment> = around
+        .iter()
+        .copied()
+        .filter(|other| {
+            let ends = [other.curve.start(), other.curve.end()];
+            ends.into_iter().any(|end| end.distance(bend.at) <= 2.0 * r)
+                && other.attributes.origin != segment.attributes.origin
+        })
+        .collect();
+    let at_corner = |end: DVec2| end.distance(bend.at) <= 2.0 * r;
+    if beside.is_empty() && !at_corner(segment.curve.start()) && !at_corner(segment.curve.end()) {
+        return *bend;
+    }
+    let near = moves_near(moves, bend, tool);
+    let mut cut = *bend;
+    // The path is within the tolerance of the offset, and both are rounded.
+    if !near.iter().any(|piece| piece.nearest(bend.center).distance <= 2.0 * tolerance) {
+        (cut.depth, cut.at) = depth_of(&near, &[segment], tool, bend.at);
+    }
+    let (depth, at) = depth_of(&near, &beside, tool, bend.at);
+    if depth > cut.depth { Bend { at, depth, ..cut } } else { cut }
+}
+
+/// A bend as the spline through moved type points cuts it: about as the true offset does.
+pub(super) fn as_moved(bend: &Bend, moves: &[MoveCurve], segment: &Segment, tool: Tool) -> Bend {
+    let (depth, at) = depth_of(&moves_near(moves, bend, tool), &[segment], tool, bend.at);
+    Bend { at, depth, ..*bend }
+}
+
+/// The moves that the tool may make the cut of a bend from.
+fn moves_near(moves: &[MoveCurve], bend: &Bend, tool: Tool) -> Vec<MoveCurve> {
+    let near = |piece: &&MoveCurve| piece.hull_bounds().distance(bend.center) <= tool.radius();
+    moves.iter().filter(near).copied().collect()
 }
 
 /// Reports an inside corner whose offsets do not meet.

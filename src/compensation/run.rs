@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::offset::{ArcOffset, Bend, offset_arc, offset_line, offset_spline};
+use super::offset::{ArcOffset, Bend, offset_arc, offset_line, offset_spline, spline_bends};
 use super::transition::{Place, Terminal};
 use super::type_points::Polygon;
 use super::{Options, SplineMethod};
@@ -53,6 +53,7 @@ impl<'a> Run<'a> {
                 tangents = legs.tangents();
                 curvatures = [0.0, 0.0];
                 polygon = Some(legs);
+                bends = spline_bends(spline, delta);
                 Vec::new()
             }
             Curve::Spline(spline) => {

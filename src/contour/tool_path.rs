@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::Transition;
 use crate::diagnostic::{Diagnostic, Origin};
-use crate::geometry::{Arc, Bounds, Cubic, Line, flatten_arc, flatten_cubic};
+use crate::geometry::{Arc, Bounds, Cubic, Line, Nearest, flatten_arc, flatten_cubic};
 
 /// The plane curve of a move.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -83,6 +83,26 @@ impl MoveCurve {
             Self::Arc(arc) => arc.bounds(),
             Self::Cubic(cubic) => cubic.bounds(),
             Self::Vertical(at) => Bounds::of([*at]),
+        }
+    }
+
+    /// A quick box around it, not smaller than [`bounds`](Self::bounds).
+    #[must_use]
+    pub fn hull_bounds(&self) -> Bounds {
+        match self {
+            Self::Cubic(cubic) => cubic.hull_bounds(),
+            Self::Line(_) | Self::Arc(_) | Self::Vertical(_) => self.bounds(),
+        }
+    }
+
+    /// Its point nearest to `point`.
+    #[must_use]
+    pub fn nearest(&self, point: DVec2) -> Nearest {
+        match self {
+            Self::Line(line) => line.nearest(point),
+            Self::Arc(arc) => arc.nearest(point),
+            Self::Cubic(cubic) => cubic.nearest(point),
+            Self::Vertical(at) => Nearest::new(0.0, *at, point),
         }
     }
 

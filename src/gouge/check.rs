@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::chord::{Chord, Piece, chords, nearest, pieces};
+use super::chord::{Chord, Piece, chords, pieces};
 use super::tree::Tree;
 use crate::contour::{Contour, Gouge, GougeKind, Move, Role, ToolPath};
 use crate::diagnostic::Origin;
@@ -134,8 +134,8 @@ impl Judge<'_> {
     fn nearest_approach(&self, one: &Move, range: [f64; 2], piece: &Piece) -> (f64, DVec2) {
         const KEEP: f64 = 0.618_033_988_749_894_8;
         let at = |t: f64| {
-            let (point, distance) = nearest(&piece.curve, one.curve.point(t));
-            (distance, point)
+            let nearest = piece.curve.nearest(one.curve.point(t));
+            (nearest.distance, nearest.point)
         };
         let nearer = |a: (f64, DVec2), b: (f64, DVec2)| if b.0 < a.0 { b } else { a };
         let [mut from, mut to] = range;

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::contour::{Contour, MoveCurve};
-use crate::geometry::{Arc, Bounds, Cubic, Curve, Line, cross};
+use crate::geometry::{Arc, Bounds, Cubic, Curve, cross};
 
 /// Most chords of one curve: reached only where the tolerance is absurdly fine for its size.
 const MAX_CHORDS: f64 = 100_000.0;
@@ -130,16 +130,4 @@ fn cubic_count(cubic: &Cubic, sagitta: f64) -> f64 {
 /// Largest second derivative of a cubic: at an end, as it is linear.
 fn bend(cubic: &Cubic) -> f64 {
     cubic.second_derivative(0.0).length().max(cubic.second_derivative(1.0).length())
-}
-
-/// The nearest point of a piece to `point`, and its distance [mm].
-pub(super) fn nearest(piece: &MoveCurve, point: DVec2) -> (DVec2, f64) {
-    let of_line = |line: &Line| line.nearest(point);
-    let nearest = match piece {
-        MoveCurve::Line(line) => of_line(line),
-        MoveCurve::Arc(arc) => arc.nearest(point),
-        MoveCurve::Cubic(cubic) => cubic.nearest(point),
-        MoveCurve::Vertical(at) => return (*at, at.distance(point)),
-    };
-    (nearest.point, nearest.distance)
 }

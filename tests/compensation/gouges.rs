@@ -1,6 +1,6 @@
 //! Local gouges: reported with a place and a depth that brute force confirms.
 
-use g41::compensation::{CornerStyle, Options};
+use g41::compensation::{CornerStyle, Options, SplineMethod};
 use g41::contour::{Side, ToolPath};
 use g41::diagnostic::Severity;
 use glam::DVec2;
@@ -114,4 +114,59 @@ fn a_segment_used_up_between_two_inside_corners_is_told() {
     }
     let path = slot.compensated(Side::Left, 2.4, &Options::default());
     assert!(path.gouges.is_empty(), "a smaller tool fits: {:?}", path.gouges);
+}
+
+#[test]
+fn a_bend_that_its_corner_cuts_away_is_no_gouge() {
+    let points = [
+        p(1.679_719_707_238_776_2, 1.018_929_336_667_703_5),
+        p(2.735_358_149_822_022_5, 2.675_824_857_377_692),
+        p(2.949_074_959_062_633_4, 4.628_771_455_074_726),
+    ];
+    let sketch =
+        Sketch::open(p(-13.394_262_038_762_614, 0.0), [line(p(0.0, 0.0)), spline(&points)]);
+    let path = sketch.compensated(Side::Left, 4.190_435_986_032_43, &Options::default());
+    assert!(path.gouges.is_empty(), "the path is clear of it: {:?}", path.gouges);
+}
+
+#[test]
+fn the_depth_of_a_bend_counts_the_segment_before_it() {
+    let points = [
+        p(0.420_010_655_340_467_7, 0.045_642_943_938_139_48),
+        p(0.782_729_639_834_305_4, 0.262_269_736_414_574_5),
+        p(1.022_076_610_260_707, 0.610_415_189_750_637_1),
+    ];
+    let sketch = Sketch::open(p(-0.697_586_012_282_791, 0.0), [line(p(0.0, 0.0)), spline(&points)]);
+    let radius = 3.688_850_578_825_207_7;
+    let path = sketch.compensated(Side::Left, radius, &Options::default());
+    let reported = path.gouges.iter().map(|gouge| gouge.depth).fold(0.0, f64::max);
+    let brute = deepest(&path, &sketch, radius);
+    near(reported, brute, 0.05 * brute, "depth against brute force");
+}
+
+#[test]
+fn a_bend_too_tight_for_the_tool_is_a_gouge_with_type_points_too() {
+    // Its smallest bend is 4 mm.
+    let sketch = valley(10.0, 5.0);
+    let options = Options { spline: SplineMethod::TypePoints, ..Options::default() };
+    assert!(sketch.compensated(Side::Left, 3.5, &options).gouges.is_empty(), "3.5 mm fits");
+    let path = sketch.compensated(Side::Left, 6.0, &options);
+    assert_eq!(path.gouges.len(), 1, "6 mm does not fit");
+    near(path.gouges[0].at.x.abs(), 0.0, 6.0, "the bend is in the middle");
+    near(path.gouges[0].depth, 0.445, 0.1, "its depth, as brute force has it");
+}
+
+#[test]
+fn an_inside_corner_without_an_intersection_is_not_travelled_far_for() {
+    // Legs that nearly double back: their equidistants meet kilometres away.
+    let legs = [line(p(20.0, 0.0)), line(p(0.0, 0.001))];
+    for options in [Options::default(), Options { corner: CornerStyle::Arc, ..Options::default() }]
+    {
+        let sketch = Sketch::open(p(0.0, 0.0), legs.clone());
+        let path = sketch.compensated(Side::Left, 5.0, &options);
+        assert!(!path.diagnostics.is_empty(), "it is reported");
+        for point in samples(&path, 4) {
+            assert!(point.abs().max_element() < 40.0, "the path leads to {point}");
+        }
+    }
 }

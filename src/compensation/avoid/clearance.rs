@@ -25,7 +25,7 @@ impl Clearance {
                 }
             }
         }
-        let tree = BoxTree::new(pieces.iter().map(hull));
+        let tree = BoxTree::new(pieces.iter().map(MoveCurve::hull_bounds));
         Self { pieces, tree }
     }
 
@@ -34,25 +34,14 @@ impl Clearance {
         let mut clear = true;
         self.tree.meeting(&Bounds::of([point]).inflated(distance), |i| {
             let piece = &self.pieces[i];
-            let near = match piece {
-                MoveCurve::Line(line) => line.nearest(point).distance,
-                MoveCurve::Arc(arc) => arc.nearest(point).distance,
-                MoveCurve::Cubic(cubic) if cubic.hull_bounds().distance(point) < distance => {
-                    cubic.nearest(point).distance
-                }
-                MoveCurve::Cubic(_) | MoveCurve::Vertical(_) => return true,
-            };
+            // The box of a cubic that reaches this far may still be too far off.
+            if piece.hull_bounds().distance(point) >= distance {
+                return true;
+            }
+            let near = piece.nearest(point).distance;
             clear = near >= distance;
             clear
         });
         clear
-    }
-}
-
-/// A quick box around a piece.
-pub(super) fn hull(piece: &MoveCurve) -> Bounds {
-    match piece {
-        MoveCurve::Cubic(cubic) => cubic.hull_bounds(),
-        MoveCurve::Line(_) | MoveCurve::Arc(_) | MoveCurve::Vertical(_) => piece.bounds(),
     }
 }

@@ -2,7 +2,6 @@
 
 use glam::DVec2;
 
-use super::clearance::hull;
 use super::index::BoxTree;
 use super::strands::Piece;
 use crate::compensation::meet::meet;
@@ -35,11 +34,11 @@ struct Cut {
 
 /// Cuts `pieces` at all crossings with each other and with `fences`; the arcs come in order.
 pub(super) fn cut(pieces: &[Piece], fences: &[MoveCurve]) -> Vec<Arc> {
-    let tree = BoxTree::new(pieces.iter().map(|p| hull(&p.curve).inflated(SAME_PLACE)));
+    let tree = BoxTree::new(pieces.iter().map(|p| p.curve.hull_bounds().inflated(SAME_PLACE)));
     let mut cuts: Vec<Cut> = Vec::new();
     let mut crossings = 0;
     for (i, piece) in pieces.iter().enumerate() {
-        tree.meeting(&hull(&piece.curve), |j| {
+        tree.meeting(&piece.curve.hull_bounds(), |j| {
             if j > i {
                 for crossing in meet(&piece.curve, &pieces[j].curve).points() {
                     if is_joint(pieces, i, j, crossing.point) {
@@ -56,7 +55,7 @@ pub(super) fn cut(pieces: &[Piece], fences: &[MoveCurve]) -> Vec<Arc> {
         });
     }
     for fence in fences {
-        tree.meeting(&hull(fence), |i| {
+        tree.meeting(&fence.hull_bounds(), |i| {
             for crossing in meet(&pieces[i].curve, fence).points() {
                 cuts.push(Cut { piece: i, t: crossing.t, point: crossing.point, crossing: None });
             }

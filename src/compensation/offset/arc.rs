@@ -33,7 +33,7 @@ pub(in crate::compensation) fn offset_arc(arc: &Arc, offset: f64) -> ArcOffset {
     match concentric {
         Err(_) => ArcOffset::Point,
         Ok(offset_arc) if factor >= 0.0 => ArcOffset::Arc(offset_arc),
-        Ok(offset_arc) => ArcOffset::Reversed(offset_arc, bend(arc, offset.abs())),
+        Ok(offset_arc) => ArcOffset::Reversed(offset_arc, bend(arc, &offset_arc, offset.abs())),
     }
 }
 
@@ -43,9 +43,10 @@ pub(in crate::compensation) fn offset_arc(arc: &Arc, offset: f64) -> ArcOffset {
 /// point of the arc nearest to any of its places is an end, as seen from beside the other end: at
 /// the angle `max(0, π − sweep)` about the centre, so by the law of cosines at the distance
 /// `√(R² + ρ² − 2 R ρ cos)`.
-fn bend(arc: &Arc, r: f64) -> Bend {
+fn bend(arc: &Arc, offset_arc: &Arc, r: f64) -> Bend {
     let (radius, rho) = (arc.radius(), r - arc.radius());
     let angle = (PI - arc.sweep().abs()).max(0.0);
     let squared = radius * radius + rho * rho - 2.0 * radius * rho * sin_cos(angle).1;
-    Bend { at: arc.end(), depth: r - squared.max(0.0).sqrt(), radius }
+    let depth = r - squared.max(0.0).sqrt();
+    Bend { at: arc.end(), center: offset_arc.start(), depth, radius }
 }

@@ -8,9 +8,9 @@ use std::ops::Range;
 use super::Bend;
 use crate::geometry::{Cubic, Spline, perp};
 
-/// A stretch of a span that bends tighter than the tool.
+/// A stretch of a span.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Tight {
+pub(super) struct Stretch {
     pub(super) span: usize,
     pub(super) from: f64,
     pub(super) to: f64,
@@ -26,7 +26,7 @@ const CLEAR: f64 = 1e-9;
 const SEARCH_STEPS: usize = 12;
 
 /// Depth and place of the gouge of every bend.
-pub(super) fn bends(spline: &Spline, offset: f64, tight: &[Tight]) -> Vec<Bend> {
+pub(super) fn bends(spline: &Spline, offset: f64, tight: &[Stretch]) -> Vec<Bend> {
     // Stretches that continue over a type point are one bend.
     tight
         .chunk_by(|a, b| {
@@ -37,12 +37,12 @@ pub(super) fn bends(spline: &Spline, offset: f64, tight: &[Tight]) -> Vec<Bend> 
         .collect()
 }
 
-fn bend(spline: &Spline, offset: f64, tight: &[Tight]) -> Bend {
+fn bend(spline: &Spline, offset: f64, tight: &[Stretch]) -> Bend {
     let core = tight[0].span..tight[tight.len() - 1].span + 1;
     let around = Around { pieces: spline.pieces(), offset, core };
     let window = around.window();
     let at = spline.pieces()[tight[0].span].point(tight[0].from);
-    let mut deepest = Cut { depth: 0.0, at };
+    let mut deepest = Cut { depth: 0.0, at, center: at };
     let mut place = None;
     for span in window.clone() {
         for k in 0..SAMPLES {
@@ -56,14 +56,16 @@ fn bend(spline: &Spline, offset: f64, tight: &[Tight]) -> Bend {
     if let Some((span, t)) = place {
         around.refine(&window, span, t, &mut deepest);
     }
-    Bend { at: deepest.at, depth: deepest.depth, radius: sharpest(spline, tight) }
+    let Cut { depth, at, center } = deepest;
+    Bend { at, center, depth, radius: sharpest(spline, tight) }
 }
 
-/// A place of the contour and how deep it is cut [mm].
+/// A place of the contour, how deep it is cut, and the centre of the tool that does it [mm].
 #[derive(Debug, Clone, Copy)]
 struct Cut {
     depth: f64,
     at: glam::DVec2,
+    center: glam::DVec2,
 }
 
 /// The spans of a spline around one bend, and the tool beside them.
@@ -119,7 +121,7 @@ impl Around<'_> {
                 let nearest = piece.nearest(center);
                 if nearest.distance < reach {
                     reach = nearest.distance;
-                    cut = Some(Cut { depth: r - reach, at: nearest.point });
+                    cut = Some(Cut { depth: r - reach, at: nearest.point, center });
                 }
             }
         }
@@ -151,7 +153,7 @@ impl Around<'_> {
 }
 
 /// Smallest radius of curvature of some stretches [mm].
-fn sharpest(spline: &Spline, tight: &[Tight]) -> f64 {
+fn sharpest(spline: &Spline, tight: &[Stretch]) -> f64 {
     let mut curvature = 0.0_f64;
     for stretch in tight {
         for k in 0..=SAMPLES {

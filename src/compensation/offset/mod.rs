@@ -16,13 +16,15 @@ use glam::DVec2;
 
 pub(super) use arc::{ArcOffset, offset_arc};
 pub(super) use line::offset_line;
-pub(super) use spline::offset_spline;
+pub(super) use spline::{offset_spline, spline_bends};
 
 /// A stretch of one segment that bends tighter than the tool.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Bend {
     /// The point of the segment that is cut deepest [mm].
     pub(super) at: DVec2,
+    /// The centre of the tool that cuts it [mm].
+    pub(super) center: DVec2,
     /// How deep [mm].
     pub(super) depth: f64,
     /// Its smallest radius of curvature [mm].

@@ -11,7 +11,7 @@ use std::f64::consts::PI;
 use glam::DVec2;
 
 use super::Bend;
-use super::bend::{Tight, bends};
+use super::bend::{Stretch, bends};
 use super::cusps::{cusps, room};
 use super::fit::Source;
 use super::proof::is_proved;
@@ -54,29 +54,46 @@ pub(in crate::compensation) fn offset_spline(
         return SplineOffset { pieces, bends: Vec::new() };
     }
     let mut pieces: Vec<MoveCurve> = Vec::with_capacity(spline.pieces().len());
-    let mut tight: Vec<Tight> = Vec::new();
+    let mut tight: Vec<Stretch> = Vec::new();
+    each_stretch(spline, offset, |stretch, source, fits| {
+        if !fits {
+            tight.push(stretch);
+        }
+        let piece = source.hermite();
+        if let Some(last) = pieces.last() {
+            join(last.end(), piece.start(), source.cubic.start(), offset, &mut pieces);
+        }
+        fit(source, &piece, fits, tolerance, 0, &mut pieces);
+    });
+    let bends = bends(spline, offset, &tight);
+    SplineOffset { pieces, bends }
+}
+
+/// Where the spline bends tighter than a tool at `offset` [mm].
+pub(in crate::compensation) fn spline_bends(spline: &Spline, offset: f64) -> Vec<Bend> {
+    let mut tight: Vec<Stretch> = Vec::new();
+    each_stretch(spline, offset, |stretch, _, fits| {
+        if !fits {
+            tight.push(stretch);
+        }
+    });
+    bends(spline, offset, &tight)
+}
+
+/// Visits the stretches of every span between cusps of the offset and standstills of the spline,
+/// and tells whether the tool fits there.
+fn each_stretch(spline: &Spline, offset: f64, mut visit: impl FnMut(Stretch, &Source, bool)) {
     for (span, cubic) in spline.pieces().iter().enumerate() {
-        let halves = cut_at_standstill(cubic);
-        for part in &halves {
+        for part in &cut_at_standstill(cubic) {
             let mut from = 0.0;
             for to in cusps(&part.cubic, offset).into_iter().chain([1.0]) {
-                let middle = 0.5 * (from + to);
-                let fits = room(&part.cubic, offset, middle) >= 0.0;
-                if !fits {
-                    tight.push(Tight { span, from: part.at(from), to: part.at(to) });
-                }
-                let source = Source { cubic: part.cubic.part(from, to), offset };
-                let piece = source.hermite();
-                if let Some(last) = pieces.last() {
-                    join(last.end(), piece.start(), part.cubic.point(from), offset, &mut pieces);
-                }
-                fit(&source, &piece, fits, tolerance, 0, &mut pieces);
+                let fits = room(&part.cubic, offset, 0.5 * (from + to)) >= 0.0;
+                let stretch = Stretch { span, from: part.at(from), to: part.at(to) };
+                visit(stretch, &Source { cubic: part.cubic.part(from, to), offset }, fits);
                 from = to;
             }
         }
     }
-    let bends = bends(spline, offset, &tight);
-    SplineOffset { pieces, bends }
 }
 
 /// A part of a span between two standstills of the spline.

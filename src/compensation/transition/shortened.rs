@@ -49,14 +49,18 @@ pub(in crate::compensation) fn shortened(
     // Near a reversal the end tangents of two inside offsets meet beyond all coordinates.
     if incoming.straight && outgoing.straight && in_range(v) {
         construction.push(("V", v));
-        let on_both = on_line(incoming.pieces, v) && on_line(outgoing.pieces, v);
-        let joint = Joint {
-            incoming: Terminal::To(v),
-            outgoing: Terminal::To(v),
-            inserted: Vec::new(),
-            construction,
-        };
-        return if on_both { Shortening::Met(joint) } else { Shortening::Missed(joint) };
+        let on = [incoming, outgoing].map(|flank| on_line(flank.pieces, v));
+        // Off both, V may be anywhere: near a reversal, metres away.
+        if on[0] || on[1] {
+            let joint = Joint {
+                incoming: Terminal::To(v),
+                outgoing: Terminal::To(v),
+                inserted: Vec::new(),
+                construction,
+            };
+            let met = on[0] && on[1];
+            return if met { Shortening::Met(joint) } else { Shortening::Missed(joint) };
+        }
     }
     if let Some((place_in, place_out, point)) =
         last_crossing(incoming.pieces, outgoing.pieces, tool.side().sign(), same)
@@ -124,9 +128,5 @@ fn last_crossing(
 
 /// A quick box around a piece, a little larger than it.
 fn reach(piece: &MoveCurve) -> Bounds {
-    let bounds = match piece {
-        MoveCurve::Cubic(cubic) => cubic.hull_bounds(),
-        MoveCurve::Line(_) | MoveCurve::Arc(_) | MoveCurve::Vertical(_) => piece.bounds(),
-    };
-    bounds.inflated(crate::geometry::MIN_LENGTH)
+    piece.hull_bounds().inflated(crate::geometry::MIN_LENGTH)
 }
