@@ -272,6 +272,28 @@ fn a_feed_that_changes_within_a_spline_is_reported_once() {
 }
 
 #[test]
+fn words_after_the_last_type_point_stay_behind_the_spline() {
+    let order = |text: &str| -> Vec<String> {
+        let item = |item: &Item| match item {
+            Item::Words { words, .. } => words.clone(),
+            _ => "move".into(),
+        };
+        let mut order: Vec<_> = read(text).items.iter().map(item).collect();
+        order.dedup();
+        order
+    };
+    let spline = "F60\nG5 X5 Y5\nX10 Y0 M8\n";
+    let end = "X15 Y5\nM5 (DONE)\n";
+    for last in ["G0 Z5\nM30\n", "M30\n", ""] {
+        let text = format!("{spline}{end}{last}");
+        assert_eq!(order(&text)[..3], ["M8", "move", "M5 (DONE)"], "{text}");
+        assert_eq!(found(&read(&text)), [("words-in-spline", WARNING, 3, None)], "M8: {text}");
+    }
+    let corner = format!("{spline}X15 Y5\nM9\nX15 Y5\nX20 Y0\nX25 Y5\n");
+    assert_eq!(order(&corner), ["M8", "move", "M9", "move"], "between two splines");
+}
+
+#[test]
 fn free_type_points_are_cubics() {
     let read = read_clean("G0 X10 Y0\nG05 X20 Y5 F100\nX30 Y0\nX40 Y-5\n");
     let moves = moves(&read);

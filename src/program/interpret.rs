@@ -82,12 +82,14 @@ pub(super) struct Interpreter {
     pub(super) course: Course,
     pub(super) report: Report,
     pub(super) spline: Option<PendingSpline>,
+    /// Words since its last type point, whether they are comments only, and their block.
+    waiting: Vec<(String, bool, Origin)>,
 }
 
 impl Interpreter {
     fn new() -> Self {
         let (modal, course) = (Modal::new(), Course::new());
-        Self { modal, course, report: Report::default(), spline: None }
+        Self { modal, course, report: Report::default(), spline: None, waiting: Vec::new() }
     }
 
     fn block(&mut self, block: &Block) -> Flow {
@@ -115,19 +117,9 @@ impl Interpreter {
         if demands.no_move {
             words.take_all(GEOMETRY);
         }
-        if self.spline.is_some() && auxiliary.has_words() {
-            self.report.warning(
-                "words-in-spline",
-                "words between type points act before them",
-                block.origin(),
-                "put them before or after the spline",
-            );
-        }
-        let end = auxiliary.end;
+        let (end, only_comments) = (auxiliary.end, !auxiliary.has_words());
         let (before, after) = auxiliary.finish();
-        if !before.is_empty() {
-            self.course.words(before, block.origin());
-        }
+        self.pass_on(before, only_comments, block.origin());
         self.compensation(block, demands.compensation, &mut words);
         if let Some(motion) = self.modal.motion
             && !demands.no_move
@@ -147,9 +139,7 @@ impl Interpreter {
             self.finish_spline();
             self.course.end(Some(block.origin()), &mut self.report);
         }
-        if !after.is_empty() {
-            self.course.words(after, block.origin());
-        }
+        self.pass_on(after, false, block.origin());
         if end { Flow::End } else { Flow::Next }
     }
 
@@ -291,6 +281,34 @@ impl Interpreter {
         if let Some((start, shape, attributes)) = self.spline.take().and_then(PendingSpline::finish)
         {
             self.course.curve(start, shape, attributes, &mut self.report);
+        }
+        self.release_words(false);
+    }
+
+    /// Words that move nothing. While it is open whether the spline goes on, they wait for that.
+    fn pass_on(&mut self, words: String, only_comments: bool, origin: Origin) {
+        if words.is_empty() {
+            return;
+        }
+        if self.spline.as_ref().is_some_and(|spline| !spline.is_empty()) {
+            self.waiting.push((words, only_comments, origin));
+        } else {
+            self.course.words(words, origin);
+        }
+    }
+
+    /// The words that waited: after the spline, or before it where it goes on.
+    pub(super) fn release_words(&mut self, goes_on: bool) {
+        for (words, only_comments, origin) in std::mem::take(&mut self.waiting) {
+            if goes_on && !only_comments {
+                self.report.warning(
+                    "words-in-spline",
+                    "words between type points act before them",
+                    origin,
+                    "put them before or after the spline",
+                );
+            }
+            self.course.words(words, origin);
         }
     }
 

@@ -289,15 +289,18 @@ impl Interpreter {
         let attributes = self.attributes(block, Motion::TypePoints, to);
         let spline = self.spline.get_or_insert_with(|| PendingSpline::new(from, attributes));
         let feed = spline.feed();
-        match spline.add(to.truncate(), attributes) {
+        let added = spline.add(to.truncate(), attributes);
+        match added {
             Added::Point if feed.is_some() && feed != attributes.feed => self.report.warning("feed-in-spline", "the feed changes within a spline", block.origin(), "the spline runs at the feed of its first block; end it with a repeated point to change the feed"),
             Added::Point | Added::Repeated => {}
             Added::Corner(ended) => {
                 if let Some((start, shape, attributes)) = ended.finish() {
                     self.course.curve(start, shape, attributes, &mut self.report);
                 }
+                self.release_words(false);
             }
         }
+        self.release_words(true);
         self.arrive(axes, to);
     }
 }

@@ -96,6 +96,11 @@ impl PendingSpline {
         Added::Point
     }
 
+    /// Whether it has no point besides its start.
+    pub(super) fn is_empty(&self) -> bool {
+        self.points.is_empty()
+    }
+
     /// Feed of its latest type point that has one [mm/s].
     pub(super) fn feed(&self) -> Option<f64> {
         self.feed
