@@ -2,12 +2,12 @@
 
 use glam::DVec2;
 
-use super::joint::{Solved, solve};
-use super::lead::{LeadJoint, lead_in, lead_out};
+use super::corner::{Solved, solve};
+use super::lead::{LeadSolution, lead_in, lead_out};
 use super::path::{PathBuilder, between};
 use super::report;
 use super::run::Run;
-use super::transition::{Joint, Terminal};
+use super::transition::{Solution, Terminal};
 use super::type_points::as_moves;
 use super::{Options, SplineMethod};
 use crate::contour::{
@@ -74,8 +74,8 @@ struct Assembly<'a> {
     /// Corner `i` lies between the runs `i` and `i + 1`.
     corners: &'a [Solved],
     closing: Option<&'a Solved>,
-    lead_in: Option<(&'a Lead, LeadJoint)>,
-    lead_out: Option<(&'a Lead, LeadJoint)>,
+    lead_in: Option<(&'a Lead, LeadSolution)>,
+    lead_out: Option<(&'a Lead, LeadSolution)>,
 }
 
 impl Assembly<'_> {
@@ -166,7 +166,7 @@ impl Assembly<'_> {
 
     fn add_lead_corner(
         builder: &mut PathBuilder,
-        solved: &LeadJoint,
+        solved: &LeadSolution,
         attributes: &Attributes,
         corner: DVec2,
     ) {
@@ -175,10 +175,10 @@ impl Assembly<'_> {
             kind,
             angle,
             corner,
-            construction: solved.joint.construction.clone(),
+            construction: solved.solution.construction.clone(),
             origin: attributes.origin,
         });
-        builder.moves(&solved.joint.inserted, Role::Transition, attributes);
+        builder.moves(&solved.solution.inserted, Role::Transition, attributes);
     }
 
     fn add_events(&self, builder: &mut PathBuilder, before: usize) {
@@ -193,12 +193,12 @@ impl Assembly<'_> {
 
     /// The transition between two runs, and what is to be said about it.
     fn add_corner(&self, builder: &mut PathBuilder, solved: &Solved, [i, j]: [usize; 2]) {
-        let Solved::Transition { kind, angle, joint, missed } = solved else { return };
+        let Solved::Transition { kind, angle, solution, missed } = solved else { return };
         let (incoming, outgoing) = (&self.runs[i], &self.runs[j]);
         let attributes = between(self.attributes(i), self.attributes(j));
         let corner = incoming.segment.curve.end();
         if *missed {
-            let near: Vec<MoveCurve> = Self::near_corner(joint, incoming, outgoing);
+            let near: Vec<MoveCurve> = Self::near_corner(solution, incoming, outgoing);
             let segments = [incoming.segment, outgoing.segment];
             let tolerance = self.options.usable_tolerance();
             report::missed_corner(&mut builder.path, corner, segments, &near, self.tool, tolerance);
@@ -221,16 +221,16 @@ impl Assembly<'_> {
             kind: *kind,
             angle: *angle,
             corner,
-            construction: joint.construction.clone(),
+            construction: solution.construction.clone(),
             origin: attributes.origin,
         });
-        builder.moves(&joint.inserted, Role::Transition, &attributes);
+        builder.moves(&solution.inserted, Role::Transition, &attributes);
     }
 
     /// The moves beside a corner whose offsets do not meet: the nearest piece of each.
-    fn near_corner(joint: &Joint, incoming: &Run, outgoing: &Run) -> Vec<MoveCurve> {
-        let mut near = joint.inserted.clone();
-        if let (Terminal::To(v), Terminal::To(_)) = (joint.incoming, joint.outgoing) {
+    fn near_corner(solution: &Solution, incoming: &Run, outgoing: &Run) -> Vec<MoveCurve> {
+        let mut near = solution.inserted.clone();
+        if let (Terminal::To(v), Terminal::To(_)) = (solution.incoming, solution.outgoing) {
             let lines = [Line::new(incoming.ends[0], v), Line::new(v, outgoing.ends[1])];
             near.extend(lines.into_iter().flatten().map(MoveCurve::Line));
         } else {
@@ -246,18 +246,18 @@ impl Assembly<'_> {
         let start = if i > 0 {
             self.outgoing_terminal(&self.corners[i - 1], i - 1)
         } else if let Some((_, lead)) = &self.lead_in {
-            lead.joint.outgoing
+            lead.solution.outgoing
         } else {
             self.closing.map_or(Terminal::Whole, |solved| self.outgoing_terminal(solved, last))
         };
         let incoming = |solved: &Solved| match solved {
             Solved::Tangent => Terminal::Whole,
-            Solved::Transition { joint, .. } => joint.incoming,
+            Solved::Transition { solution, .. } => solution.incoming,
         };
         let end = if i < last {
             incoming(&self.corners[i])
         } else if let Some((_, lead)) = &self.lead_out {
-            lead.joint.incoming
+            lead.solution.incoming
         } else {
             self.closing.map_or(Terminal::Whole, incoming)
         };
@@ -268,7 +268,7 @@ impl Assembly<'_> {
     fn outgoing_terminal(&self, solved: &Solved, i: usize) -> Terminal {
         match solved {
             Solved::Tangent => Terminal::Moved(self.runs[i].ends[1]),
-            Solved::Transition { joint, .. } => joint.outgoing,
+            Solved::Transition { solution, .. } => solution.outgoing,
         }
     }
 

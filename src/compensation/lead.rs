@@ -7,30 +7,30 @@
 
 use glam::DVec2;
 
-use super::joint::{classify, round_the_corner};
+use super::corner::{classify, round_the_corner};
 use super::run::Run;
-use super::transition::{Joint, Terminal, Vertices, elongated, inserted};
+use super::transition::{CornerFrame, Solution, Terminal, elongated, inserted};
 use super::{CornerStyle, LeadStyle, Options};
 use crate::contour::{Corner, CornerKind, Tool, TransitionKind};
 use crate::geometry::direction;
 
 /// How a lead and the contour are joined.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct LeadJoint {
+pub(super) struct LeadSolution {
     /// Where the lead meets what it leads to or from [mm].
     pub(super) end: DVec2,
     /// The kind and angle of the corner, unless it is tangent or there is none.
     pub(super) corner: Option<(TransitionKind, f64)>,
     /// Moves between lead and contour, and the terminal of the contour.
-    pub(super) joint: Joint,
+    pub(super) solution: Solution,
 }
 
 /// The lead-in from `from` to the start of `outgoing`.
-pub(super) fn lead_in(from: DVec2, outgoing: &Run, tool: Tool, options: &Options) -> LeadJoint {
+pub(super) fn lead_in(from: DVec2, outgoing: &Run, tool: Tool, options: &Options) -> LeadSolution {
     let point = outgoing.segment.curve.start();
     let beside = outgoing.ends[0];
     let straight =
-        |corner, construction| LeadJoint { end: beside, corner, joint: whole(construction) };
+        |corner, construction| LeadSolution { end: beside, corner, solution: whole(construction) };
     // Switched on without a move: there is no direction to come from.
     let Some(along) = direction(point - from) else { return straight(None, Vec::new()) };
     let corner = Corner {
@@ -40,26 +40,26 @@ pub(super) fn lead_in(from: DVec2, outgoing: &Run, tool: Tool, options: &Options
         incoming_curvature: 0.0,
         outgoing_curvature: outgoing.curvatures[0],
     };
-    let vertices = Vertices::new(&corner, tool);
+    let frame = CornerFrame::new(&corner, tool);
     match classify(&corner, tool, options) {
         CornerKind::Tangent => straight(None, Vec::new()),
         CornerKind::Transition { kind, angle } => {
             let around = options.lead == LeadStyle::Textbook && kind != TransitionKind::Shortened;
             if !around {
-                return straight(Some((kind, angle)), vertices.construction());
+                return straight(Some((kind, angle)), frame.construction());
             }
-            let joint = around_corner(kind, &vertices, [None, Some(outgoing)], tool, options);
-            LeadJoint { end: vertices.n1, corner: Some((kind, angle)), joint }
+            let solution = around_corner(kind, &frame, [None, Some(outgoing)], tool, options);
+            LeadSolution { end: frame.n1, corner: Some((kind, angle)), solution }
         }
     }
 }
 
 /// The lead-out from the end of `incoming` to `to`.
-pub(super) fn lead_out(incoming: &Run, to: DVec2, tool: Tool, options: &Options) -> LeadJoint {
+pub(super) fn lead_out(incoming: &Run, to: DVec2, tool: Tool, options: &Options) -> LeadSolution {
     let point = incoming.segment.curve.end();
     let beside = incoming.ends[1];
     let straight =
-        |corner, construction| LeadJoint { end: beside, corner, joint: whole(construction) };
+        |corner, construction| LeadSolution { end: beside, corner, solution: whole(construction) };
     let Some(along) = direction(to - point) else { return straight(None, Vec::new()) };
     let corner = Corner {
         point,
@@ -68,16 +68,16 @@ pub(super) fn lead_out(incoming: &Run, to: DVec2, tool: Tool, options: &Options)
         incoming_curvature: incoming.curvatures[1],
         outgoing_curvature: 0.0,
     };
-    let vertices = Vertices::new(&corner, tool);
+    let frame = CornerFrame::new(&corner, tool);
     match classify(&corner, tool, options) {
         CornerKind::Tangent => straight(None, Vec::new()),
         CornerKind::Transition { kind, angle } => {
             let around = options.lead == LeadStyle::Textbook && kind != TransitionKind::Shortened;
             if !around {
-                return straight(Some((kind, angle)), vertices.construction());
+                return straight(Some((kind, angle)), frame.construction());
             }
-            let joint = around_corner(kind, &vertices, [Some(incoming), None], tool, options);
-            LeadJoint { end: vertices.n2, corner: Some((kind, angle)), joint }
+            let solution = around_corner(kind, &frame, [Some(incoming), None], tool, options);
+            LeadSolution { end: frame.n2, corner: Some((kind, angle)), solution }
         }
     }
 }
@@ -85,28 +85,28 @@ pub(super) fn lead_out(incoming: &Run, to: DVec2, tool: Tool, options: &Options)
 /// Round an outside corner; the lead itself is not run on, as it does not lie beside its line.
 fn around_corner(
     kind: TransitionKind,
-    vertices: &Vertices,
+    frame: &CornerFrame,
     runs: [Option<&Run>; 2],
     tool: Tool,
     options: &Options,
-) -> Joint {
+) -> Solution {
     match (options.corner, kind) {
-        (CornerStyle::Arc, _) => round_the_corner(vertices, tool),
+        (CornerStyle::Arc, _) => round_the_corner(frame, tool),
         (CornerStyle::Linear, TransitionKind::Inserted) => {
             let [incoming, outgoing] = runs.map(|run| run.is_some_and(Run::is_straight));
-            inserted(vertices, incoming, outgoing)
+            inserted(frame, incoming, outgoing)
         }
         (CornerStyle::Linear, _) => {
             // A spline through moved type points itself begins or ends at V.
             let leg = |run: &Run| run.is_straight() || run.polygon.is_some();
             let [incoming, outgoing] = runs.map(|run| run.is_some_and(leg));
-            elongated(vertices, incoming, outgoing)
+            elongated(frame, incoming, outgoing)
         }
     }
 }
 
-fn whole(construction: Vec<(&'static str, DVec2)>) -> Joint {
-    Joint {
+fn whole(construction: Vec<(&'static str, DVec2)>) -> Solution {
+    Solution {
         incoming: Terminal::Whole,
         outgoing: Terminal::Whole,
         inserted: Vec::new(),

@@ -1,14 +1,16 @@
 //! From a contour to the path of the tool centre.
 //!
 //! Each segment becomes a run, its whole offset (`offset`). Each corner between two runs is
-//! classified and solved on the *whole* offsets (`joint`, `transition`): it tells where both
+//! classified and solved on the *whole* offsets (`corner`, `transition`): it tells where both
 //! runs end and which moves stand between them. Last, the runs are cut or run on to their two
 //! ends and strung together with what was inserted (`assemble`). No step looks further than the
-//! two segments of a corner: gouges between distant segments are not seen here, nor avoided.
+//! two segments of a corner. `avoid` does: from the same runs and corners it makes the path that never
+//! comes too near to any point of the contour.
 
 mod assemble;
 mod avoid;
-mod joint;
+mod corner;
+
 mod lead;
 mod meet;
 mod offset;

@@ -31,16 +31,16 @@ pub(super) struct Run<'a> {
 impl<'a> Run<'a> {
     pub(super) fn new(segment: &'a Segment, tool: Tool, options: &Options) -> Self {
         let curve = &segment.curve;
-        let delta = tool.offset();
+        let offset = tool.offset();
         let mut tangents = [curve.tangent(0.0), curve.tangent(1.0)];
         let mut curvatures = [curve.curvature(0.0), curve.curvature(1.0)];
         let mut polygon = None;
         let mut bends = Vec::new();
         let pieces = match curve {
             Curve::Line(line) => {
-                offset_line(line, delta).map(MoveCurve::Line).into_iter().collect()
+                offset_line(line, offset).map(MoveCurve::Line).into_iter().collect()
             }
-            Curve::Arc(arc) => match offset_arc(arc, delta) {
+            Curve::Arc(arc) => match offset_arc(arc, offset) {
                 ArcOffset::Arc(arc) => vec![MoveCurve::Arc(arc)],
                 ArcOffset::Point => Vec::new(),
                 ArcOffset::Reversed(arc, bend) => {
@@ -53,16 +53,16 @@ impl<'a> Run<'a> {
                 tangents = legs.tangents();
                 curvatures = [0.0, 0.0];
                 polygon = Some(legs);
-                bends = spline_bends(spline, delta);
+                bends = spline_bends(spline, offset);
                 Vec::new()
             }
             Curve::Spline(spline) => {
-                let offset = offset_spline(spline, delta, options.usable_tolerance());
-                bends = offset.bends;
-                offset.pieces
+                let whole = offset_spline(spline, offset, options.usable_tolerance());
+                bends = whole.bends;
+                whole.pieces
             }
         };
-        let end = |point: DVec2, tangent: DVec2| point + crate::geometry::perp(tangent) * delta;
+        let end = |point: DVec2, tangent: DVec2| point + crate::geometry::perp(tangent) * offset;
         let mut ends = [end(curve.start(), tangents[0]), end(curve.end(), tangents[1])];
         // What the pieces really end at differs by a rounding, and moves must follow each other.
         if let (Some(first), Some(last)) = (pieces.first(), pieces.last()) {

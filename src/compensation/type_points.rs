@@ -53,17 +53,17 @@ impl<'a> Polygon<'a> {
     pub(super) fn moved(&self, start: Terminal, end: Terminal) -> Result<Spline, CurveError> {
         let points = self.spline.points();
         let last = points.len() - 1;
-        let delta = self.tool.offset();
+        let offset = self.tool.offset();
         let directions: Vec<DVec2> =
             points.windows(2).map(|pair| (pair[1] - pair[0]).normalize()).collect();
         let along_bisector = |before: DVec2, after: DVec2, point: DVec2| {
             // A polygon that doubles back has no bisector; the point then moves aside.
             let bisector = perp(before + after).normalize_or(perp(before));
-            point + bisector * delta
+            point + bisector * offset
         };
         let at_end = |terminal, point: DVec2, direction: DVec2| match terminal {
             Terminal::To(point) | Terminal::Moved(point) => point,
-            Terminal::Whole | Terminal::At(_) => point + perp(direction) * delta,
+            Terminal::Whole | Terminal::At(_) => point + perp(direction) * offset,
         };
         let mut moved: Vec<DVec2> = Vec::with_capacity(points.len());
         for (i, &point) in points.iter().enumerate() {

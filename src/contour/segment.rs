@@ -86,7 +86,7 @@ impl Contour {
         &self.segments
     }
 
-    /// Whether its end is its start, with a corner or a smooth joint there.
+    /// Whether its end is its start, with a corner or a smooth passage there.
     #[must_use]
     pub fn is_closed(&self) -> bool {
         self.closed

@@ -7,7 +7,8 @@ use super::strands::Piece;
 use crate::compensation::meet::meet;
 use crate::contour::MoveCurve;
 
-/// Crossings nearer than this are one [mm]: a crossing at the joint of two pieces is found on both.
+/// Crossings nearer than this are one [mm]: where two pieces follow each other a crossing is found
+/// on both.
 const SAME_PLACE: f64 = 1e-7;
 
 /// Part of a piece between two cuts.
@@ -41,7 +42,7 @@ pub(super) fn cut(pieces: &[Piece], fences: &[MoveCurve]) -> Vec<Arc> {
         tree.meeting(&piece.curve.hull_bounds(), |j| {
             if j > i {
                 for crossing in meet(&piece.curve, &pieces[j].curve).points() {
-                    if is_joint(pieces, i, j, crossing.point) {
+                    if is_shared_end(pieces, i, j, crossing.point) {
                         continue;
                     }
                     let number = Some(crossings);
@@ -64,7 +65,7 @@ pub(super) fn cut(pieces: &[Piece], fences: &[MoveCurve]) -> Vec<Arc> {
     }
     let places = merge_places(&mut cuts, crossings);
     let mut arcs = arcs(pieces, &mut cuts, &places);
-    // A crossing at a joint may be found on one of its two pieces only.
+    // A crossing where two pieces follow each other may be found on one of its two pieces only.
     for k in 0..arcs.len() {
         if let Some(next) = following(pieces, &arcs, k) {
             let place = arcs[k].end.or(arcs[next].start);
@@ -81,8 +82,8 @@ pub(super) fn following(pieces: &[Piece], arcs: &[Arc], k: usize) -> Option<usiz
     (same || pieces[arcs[k].piece].continues).then_some(next)
 }
 
-/// Whether a crossing of two pieces is only their joint.
-fn is_joint(pieces: &[Piece], i: usize, j: usize, point: DVec2) -> bool {
+/// Whether a crossing of two pieces is only the end they share.
+fn is_shared_end(pieces: &[Piece], i: usize, j: usize, point: DVec2) -> bool {
     let follows = |a: usize, b: usize| {
         pieces[a].continues
             && (b == a + 1 || (b == 0 && a == pieces.len() - 1))

@@ -22,7 +22,7 @@ use self::cuts::{Arc, cut};
 use self::strands::{Leads, Piece, fences, strands};
 use self::uncut::uncut;
 use super::assemble::finest_tolerance;
-use super::lead::{LeadJoint, lead_in, lead_out};
+use super::lead::{LeadSolution, lead_in, lead_out};
 use super::path::PathBuilder;
 use super::run::{Run, part};
 use super::{Options, SplineMethod};
@@ -61,11 +61,11 @@ pub fn avoid(contour: &Contour, tool: Tool, options: &Options) -> ToolPath {
         contour.lead_in().map(|lead| (lead, lead_in(lead.point, first, tool, options))),
         contour.lead_out().map(|lead| (lead, lead_out(last, lead.point, tool, options))),
     ];
-    let joints = Leads {
-        lead_in: leads[0].as_ref().map(|(_, solved)| &solved.joint),
-        lead_out: leads[1].as_ref().map(|(_, solved)| &solved.joint),
+    let solutions = Leads {
+        lead_in: leads[0].as_ref().map(|(_, solved)| &solved.solution),
+        lead_out: leads[1].as_ref().map(|(_, solved)| &solved.solution),
     };
-    let pieces = strands(&runs, closed, joints, tool, options);
+    let pieces = strands(&runs, closed, solutions, tool, options);
     let arcs = cut(&pieces, &fences(&runs, closed, tool, options));
     let clearance = Clearance::new(contour);
     let limit = tool.radius() - CLEAR_SHARE * tolerance;
@@ -106,7 +106,7 @@ impl Assembly<'_> {
     fn build(
         &mut self,
         chains: &[Chain],
-        [lead_in, lead_out]: &[Option<(&Lead, LeadJoint)>; 2],
+        [lead_in, lead_out]: &[Option<(&Lead, LeadSolution)>; 2],
         builder: &mut PathBuilder,
     ) {
         for (k, chain) in chains.iter().enumerate() {

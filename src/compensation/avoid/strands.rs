@@ -4,9 +4,9 @@
 //! some segment or on the way round some outside corner. At an inside corner the two offsets cross;
 //! no way round it exists, so the strand breaks there.
 
-use crate::compensation::joint::{Solved, solve};
+use crate::compensation::corner::{Solved, solve};
 use crate::compensation::run::Run;
-use crate::compensation::transition::{Joint, Terminal};
+use crate::compensation::transition::{Solution, Terminal};
 use crate::compensation::{CornerStyle, Options};
 use crate::contour::{MoveCurve, Role, Tool, TransitionKind};
 use crate::geometry::{Arc, MIN_LENGTH};
@@ -29,8 +29,8 @@ pub(super) struct Piece {
 /// ends there.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Leads<'a> {
-    pub(super) lead_in: Option<&'a Joint>,
-    pub(super) lead_out: Option<&'a Joint>,
+    pub(super) lead_in: Option<&'a Solution>,
+    pub(super) lead_out: Option<&'a Solution>,
 }
 
 /// The raw pieces of `runs` in program order.
@@ -53,8 +53,8 @@ pub(super) fn strands(
         let piece = |&curve| Piece { curve, role, run, touches, continues: false };
         pieces.extend(curves.iter().map(piece));
     };
-    if let Some(joint) = leads.lead_in {
-        add(&joint.inserted, 0, Some(0.0));
+    if let Some(solution) = leads.lead_in {
+        add(&solution.inserted, 0, Some(0.0));
     }
     for (i, run) in runs.iter().enumerate() {
         let before = if i > 0 { Some(i - 1) } else { closed.then_some(last) };
@@ -62,15 +62,15 @@ pub(super) fn strands(
             Some(b) if matches!(corners[b], Some(Solved::Tangent)) => {
                 Terminal::Moved(runs[b].ends[1])
             }
-            Some(b) => around(b).map_or(Terminal::Whole, |joint| joint.outgoing),
-            None => leads.lead_in.map_or(Terminal::Whole, |joint| joint.outgoing),
+            Some(b) => around(b).map_or(Terminal::Whole, |solution| solution.outgoing),
+            None => leads.lead_in.map_or(Terminal::Whole, |solution| solution.outgoing),
         };
-        let joint = if i == last && !closed { leads.lead_out } else { around(i) };
-        let end = joint.map_or(Terminal::Whole, |joint| joint.incoming);
+        let solution = if i == last && !closed { leads.lead_out } else { around(i) };
+        let end = solution.map_or(Terminal::Whole, |solution| solution.incoming);
         let (moves, _) = run.between(start, end);
         add(&moves, i, None);
-        if let Some(joint) = joint {
-            add(&joint.inserted, i, Some(1.0));
+        if let Some(solution) = solution {
+            add(&solution.inserted, i, Some(1.0));
         }
     }
     // Where the next piece starts elsewhere, at inside corners and at the end, the strand breaks.
@@ -84,14 +84,14 @@ pub(super) fn strands(
     pieces
 }
 
-/// The joint of an outside corner.
-fn outside(solved: &Solved) -> Option<&Joint> {
+/// The solution of an outside corner.
+fn outside(solved: &Solved) -> Option<&Solution> {
     match solved {
         Solved::Transition {
             kind: TransitionKind::Elongated | TransitionKind::Inserted,
-            joint,
+            solution,
             ..
-        } => Some(joint),
+        } => Some(solution),
         Solved::Transition { .. } | Solved::Tangent => None,
     }
 }

@@ -4,26 +4,26 @@
 //! them. A straight offset is itself run on, so line–line inserts one move, line–arc and
 //! line–spline two, any two curves three.
 
-use super::{Joint, Terminal, Vertices, polyline};
+use super::{CornerFrame, Solution, Terminal, polyline};
 
 /// Joins two offsets through A1 and A2; the flags tell which of them are straight.
 pub(in crate::compensation) fn inserted(
-    vertices: &Vertices,
+    frame: &CornerFrame,
     incoming_straight: bool,
     outgoing_straight: bool,
-) -> Joint {
-    let (a1, a2) = (vertices.a1(), vertices.a2());
-    let mut construction = vertices.construction();
+) -> Solution {
+    let (a1, a2) = (frame.a1(), frame.a2());
+    let mut construction = frame.construction();
     construction.extend([("A1", a1), ("A2", a2)]);
     let mut points = Vec::with_capacity(4);
     if !incoming_straight {
-        points.push(vertices.n1);
+        points.push(frame.n1);
     }
     points.extend([a1, a2]);
     if !outgoing_straight {
-        points.push(vertices.n2);
+        points.push(frame.n2);
     }
-    Joint {
+    Solution {
         incoming: if incoming_straight { Terminal::To(a1) } else { Terminal::Whole },
         outgoing: if outgoing_straight { Terminal::To(a2) } else { Terminal::Whole },
         inserted: polyline(&points),

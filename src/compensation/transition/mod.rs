@@ -44,7 +44,7 @@ pub(super) enum Terminal {
 
 /// How two offsets are joined.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Joint {
+pub(super) struct Solution {
     /// End of the incoming offset.
     pub(super) incoming: Terminal,
     /// Start of the outgoing offset.
@@ -57,7 +57,7 @@ pub(super) struct Joint {
 
 /// The points of a corner that depend on its tangents alone.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Vertices {
+pub(super) struct CornerFrame {
     pub(super) p: DVec2,
     pub(super) n1: DVec2,
     pub(super) n2: DVec2,
@@ -69,7 +69,7 @@ pub(super) struct Vertices {
     radius: f64,
 }
 
-impl Vertices {
+impl CornerFrame {
     pub(super) fn new(corner: &Corner, tool: Tool) -> Self {
         let (radius, sign) = (tool.radius(), tool.side().sign());
         let (u1, u2) = (perp(corner.incoming) * sign, perp(corner.outgoing) * sign);

@@ -7,7 +7,7 @@
 
 use glam::DVec2;
 
-use super::{Joint, Place, Terminal, Vertices};
+use super::{CornerFrame, Place, Solution, Terminal};
 use crate::compensation::meet::meet;
 use crate::contour::{MoveCurve, Tool};
 use crate::geometry::{Bounds, cross, in_range};
@@ -20,10 +20,10 @@ const TOUCH: f64 = 1e-9;
 #[derive(Debug, Clone, PartialEq)]
 pub(in crate::compensation) enum Shortening {
     /// Both offsets are cut back to this point.
-    Met(Joint),
-    /// The offsets do not meet: the tool does not fit. The joint is what a control without a
+    Met(Solution),
+    /// The offsets do not meet: the tool does not fit. The solution is what a control without a
     /// further look would do.
-    Missed(Joint),
+    Missed(Solution),
 }
 
 /// An offset as seen from a corner: its pieces, or straight without end towards it.
@@ -38,28 +38,28 @@ pub(in crate::compensation) struct Flank<'a> {
 /// Cuts two offsets back to their intersection. `same` tells that both are the same offset, of a
 /// closed contour of one segment.
 pub(in crate::compensation) fn shortened(
-    vertices: &Vertices,
+    frame: &CornerFrame,
     incoming: Flank,
     outgoing: Flank,
     tool: Tool,
     same: bool,
 ) -> Shortening {
-    let mut construction = vertices.construction();
-    let v = vertices.v();
+    let mut construction = frame.construction();
+    let v = frame.v();
     // Near a reversal the end tangents of two inside offsets meet beyond all coordinates.
     if incoming.straight && outgoing.straight && in_range(v) {
         construction.push(("V", v));
         let on = [incoming, outgoing].map(|flank| on_line(flank.pieces, v));
         // Off both, V may be anywhere: near a reversal, metres away.
         if on[0] || on[1] {
-            let joint = Joint {
+            let solution = Solution {
                 incoming: Terminal::To(v),
                 outgoing: Terminal::To(v),
                 inserted: Vec::new(),
                 construction,
             };
             let met = on[0] && on[1];
-            return if met { Shortening::Met(joint) } else { Shortening::Missed(joint) };
+            return if met { Shortening::Met(solution) } else { Shortening::Missed(solution) };
         }
     }
     if let Some((place_in, place_out, point)) =
@@ -70,17 +70,17 @@ pub(in crate::compensation) fn shortened(
         let terminal = |side: Flank, place| {
             if side.straight { Terminal::To(point) } else { Terminal::At(place) }
         };
-        return Shortening::Met(Joint {
+        return Shortening::Met(Solution {
             incoming: terminal(incoming, place_in),
             outgoing: terminal(outgoing, place_out),
             inserted: Vec::new(),
             construction,
         });
     }
-    Shortening::Missed(Joint {
+    Shortening::Missed(Solution {
         incoming: Terminal::Whole,
         outgoing: Terminal::Whole,
-        inserted: super::polyline(&[vertices.n1, vertices.n2]),
+        inserted: super::polyline(&[frame.n1, frame.n2]),
         construction,
     })
 }

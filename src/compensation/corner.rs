@@ -1,10 +1,10 @@
-//! Joining two runs: which transition their corner takes, and how it comes out.
+//! Solving a corner: which transition two runs take, and how it comes out.
 
 use glam::DVec2;
 
 use super::run::Run;
 use super::transition::{
-    Flank, Joint, Place, Shortening, Terminal, Vertices, elongated, inserted, shortened,
+    CornerFrame, Flank, Place, Shortening, Solution, Terminal, elongated, inserted, shortened,
 };
 use super::type_points::{leg_meets_arc, parameter_beyond};
 use super::{CornerStyle, Options};
@@ -28,7 +28,7 @@ pub(super) enum Solved {
     Transition {
         kind: TransitionKind,
         angle: f64,
-        joint: Joint,
+        solution: Solution,
         /// Whether the offsets of an inside corner do not meet.
         missed: bool,
     },
@@ -66,47 +66,47 @@ pub(super) fn solve(
     let CornerKind::Transition { kind, angle } = classify(&corner, tool, options) else {
         return Solved::Tangent;
     };
-    let vertices = Vertices::new(&corner, tool);
-    let solved = |joint, missed| Solved::Transition { kind, angle, joint, missed };
+    let frame = CornerFrame::new(&corner, tool);
+    let solved = |solution, missed| Solved::Transition { kind, angle, solution, missed };
     match kind {
         TransitionKind::Shortened => {
             let (leg_in, leg_out) = (leg_of(incoming, 1), leg_of(outgoing, 0));
             let shortening = shortened(
-                &vertices,
+                &frame,
                 flank_of(incoming, leg_in.as_ref()),
                 flank_of(outgoing, leg_out.as_ref()),
                 tool,
                 same,
             );
             match shortening {
-                Shortening::Met(joint) => solved(joint, false),
-                Shortening::Missed(joint) => solved(joint, true),
+                Shortening::Met(solution) => solved(solution, false),
+                Shortening::Missed(solution) => solved(solution, true),
             }
         }
         TransitionKind::Elongated if options.corner == CornerStyle::Linear => {
-            let joint = elongated_on_circle(incoming, outgoing, &vertices).unwrap_or_else(|| {
+            let solution = elongated_on_circle(incoming, outgoing, &frame).unwrap_or_else(|| {
                 let leg = |run: &Run| run.is_straight() || run.polygon.is_some();
-                elongated(&vertices, leg(incoming), leg(outgoing))
+                elongated(&frame, leg(incoming), leg(outgoing))
             });
-            solved(joint, false)
+            solved(solution, false)
         }
         TransitionKind::Inserted if options.corner == CornerStyle::Linear => {
-            let joint = inserted(&vertices, incoming.is_straight(), outgoing.is_straight());
-            solved(joint, false)
+            let solution = inserted(&frame, incoming.is_straight(), outgoing.is_straight());
+            solved(solution, false)
         }
         TransitionKind::Elongated | TransitionKind::Inserted => {
-            solved(round_the_corner(&vertices, tool), false)
+            solved(round_the_corner(&frame, tool), false)
         }
     }
 }
 
-/// The joint of an outside corner with an arc about it.
-pub(super) fn round_the_corner(vertices: &Vertices, tool: Tool) -> Joint {
-    Joint {
+/// The solution of an outside corner with an arc about it.
+pub(super) fn round_the_corner(frame: &CornerFrame, tool: Tool) -> Solution {
+    Solution {
         incoming: Terminal::Whole,
         outgoing: Terminal::Whole,
-        inserted: vertices.corner_arc(tool).into_iter().collect(),
-        construction: vertices.construction(),
+        inserted: frame.corner_arc(tool).into_iter().collect(),
+        construction: frame.construction(),
     }
 }
 
@@ -125,28 +125,28 @@ fn flank_of<'a>(run: &'a Run, leg: Option<&'a [MoveCurve; 1]>) -> Flank<'a> {
 
 /// The textbook's elongated corner of an arc and a spline: the arc's concentric circle runs on to
 /// the equidistant of the leg ("Tool radius compensation algorithm of spline curve", 2.3.2).
-fn elongated_on_circle(incoming: &Run, outgoing: &Run, vertices: &Vertices) -> Option<Joint> {
-    let v = vertices.v();
+fn elongated_on_circle(incoming: &Run, outgoing: &Run, frame: &CornerFrame) -> Option<Solution> {
+    let v = frame.v();
     let near = |point: DVec2| {
-        point.distance(vertices.p) <= LEG_REACH * v.distance(vertices.p) && in_range(point)
+        point.distance(frame.p) <= LEG_REACH * v.distance(frame.p) && in_range(point)
     };
-    let joint = |incoming, outgoing, point| {
-        let mut construction = vertices.construction();
+    let solution = |incoming, outgoing, point| {
+        let mut construction = frame.construction();
         construction.push(("V", point));
-        Joint { incoming, outgoing, inserted: Vec::new(), construction }
+        Solution { incoming, outgoing, inserted: Vec::new(), construction }
     };
     match (&incoming.polygon, &outgoing.polygon) {
         (None, Some(polygon)) => {
             let [MoveCurve::Arc(arc)] = incoming.pieces.as_slice() else { return None };
             let point = leg_meets_arc(&polygon.leg(0)?, arc, v).filter(|&p| near(p))?;
             let place = Place { piece: 0, t: parameter_beyond(arc, point, 1) };
-            Some(joint(Terminal::At(place), Terminal::To(point), point))
+            Some(solution(Terminal::At(place), Terminal::To(point), point))
         }
         (Some(polygon), None) => {
             let [MoveCurve::Arc(arc)] = outgoing.pieces.as_slice() else { return None };
             let point = leg_meets_arc(&polygon.leg(1)?, arc, v).filter(|&p| near(p))?;
             let place = Place { piece: 0, t: parameter_beyond(arc, point, 0) };
-            Some(joint(Terminal::To(point), Terminal::At(place), point))
+            Some(solution(Terminal::To(point), Terminal::At(place), point))
         }
         _ => None,
     }
