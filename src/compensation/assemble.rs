@@ -7,14 +7,14 @@ use super::lead::{LeadSolution, lead_in, lead_out};
 use super::path::{PathBuilder, between};
 use super::report;
 use super::run::Run;
-use super::transition::{Solution, Terminal};
+use super::transition::{Solution, Terminal, polyline};
 use super::type_points::as_moves;
 use super::{Options, SplineMethod};
 use crate::contour::{
     Attributes, Contour, Lead, MoveCurve, Role, Tool, ToolPath, Transition, TransitionKind,
 };
 use crate::diagnostic::Diagnostic;
-use crate::geometry::{Curve, Decimal, Line};
+use crate::geometry::{Curve, Decimal};
 
 /// The path of the centre of `tool` along `contour`.
 ///
@@ -231,8 +231,7 @@ impl Assembly<'_> {
     fn near_corner(solution: &Solution, incoming: &Run, outgoing: &Run) -> Vec<MoveCurve> {
         let mut near = solution.inserted.clone();
         if let (Terminal::To(v), Terminal::To(_)) = (solution.incoming, solution.outgoing) {
-            let lines = [Line::new(incoming.ends[0], v), Line::new(v, outgoing.ends[1])];
-            near.extend(lines.into_iter().flatten().map(MoveCurve::Line));
+            near.extend(polyline(&[incoming.ends[0], v, outgoing.ends[1]]));
         } else {
             near.extend(incoming.pieces.last());
             near.extend(outgoing.pieces.first());

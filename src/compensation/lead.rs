@@ -28,58 +28,53 @@ pub(super) struct LeadSolution {
 /// The lead-in from `from` to the start of `outgoing`.
 pub(super) fn lead_in(from: DVec2, outgoing: &Run, tool: Tool, options: &Options) -> LeadSolution {
     let point = outgoing.segment.curve.start();
-    let beside = outgoing.ends[0];
-    let straight =
-        |corner, construction| LeadSolution { end: beside, corner, solution: whole(construction) };
-    // Switched on without a move: there is no direction to come from.
-    let Some(along) = direction(point - from) else { return straight(None, Vec::new()) };
-    let corner = Corner {
+    let corner = direction(point - from).map(|along| Corner {
         point,
         incoming: along,
         outgoing: outgoing.tangents[0],
         incoming_curvature: 0.0,
         outgoing_curvature: outgoing.curvatures[0],
-    };
-    let frame = CornerFrame::new(&corner, tool);
-    match classify(&corner, tool, options) {
-        CornerKind::Tangent => straight(None, Vec::new()),
-        CornerKind::Transition { kind, angle } => {
-            let around = options.lead == LeadStyle::Textbook && kind != TransitionKind::Shortened;
-            if !around {
-                return straight(Some((kind, angle)), frame.construction());
-            }
-            let solution = around_corner(kind, &frame, [None, Some(outgoing)], tool, options);
-            LeadSolution { end: frame.n1, corner: Some((kind, angle)), solution }
-        }
-    }
+    });
+    solve(corner, outgoing.ends[0], [None, Some(outgoing)], tool, options)
 }
 
 /// The lead-out from the end of `incoming` to `to`.
 pub(super) fn lead_out(incoming: &Run, to: DVec2, tool: Tool, options: &Options) -> LeadSolution {
     let point = incoming.segment.curve.end();
-    let beside = incoming.ends[1];
-    let straight =
-        |corner, construction| LeadSolution { end: beside, corner, solution: whole(construction) };
-    let Some(along) = direction(to - point) else { return straight(None, Vec::new()) };
-    let corner = Corner {
+    let corner = direction(to - point).map(|along| Corner {
         point,
         incoming: incoming.tangents[1],
         outgoing: along,
         incoming_curvature: incoming.curvatures[1],
         outgoing_curvature: 0.0,
+    });
+    solve(corner, incoming.ends[1], [Some(incoming), None], tool, options)
+}
+
+/// The corner between a lead and the contour, whose run is given on its side and ends at `beside`.
+/// There is no corner where compensation is switched without a move: nothing gives a direction.
+fn solve(
+    corner: Option<Corner>,
+    beside: DVec2,
+    runs: [Option<&Run>; 2],
+    tool: Tool,
+    options: &Options,
+) -> LeadSolution {
+    let mut lead = LeadSolution { end: beside, corner: None, solution: whole(Vec::new()) };
+    let Some(corner) = corner else { return lead };
+    let CornerKind::Transition { kind, angle } = classify(&corner, tool, options) else {
+        return lead;
     };
     let frame = CornerFrame::new(&corner, tool);
-    match classify(&corner, tool, options) {
-        CornerKind::Tangent => straight(None, Vec::new()),
-        CornerKind::Transition { kind, angle } => {
-            let around = options.lead == LeadStyle::Textbook && kind != TransitionKind::Shortened;
-            if !around {
-                return straight(Some((kind, angle)), frame.construction());
-            }
-            let solution = around_corner(kind, &frame, [Some(incoming), None], tool, options);
-            LeadSolution { end: frame.n2, corner: Some((kind, angle)), solution }
-        }
+    lead.corner = Some((kind, angle));
+    if options.lead == LeadStyle::Textbook && kind != TransitionKind::Shortened {
+        // The lead ends beside its own end.
+        lead.end = if runs[0].is_none() { frame.n1 } else { frame.n2 };
+        lead.solution = around_corner(kind, &frame, runs, tool, options);
+    } else {
+        lead.solution = whole(frame.construction());
     }
+    lead
 }
 
 /// Round an outside corner; the lead itself is not run on, as it does not lie beside its line.

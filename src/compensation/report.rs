@@ -41,28 +41,27 @@ pub(super) fn as_cut(
     tool: Tool,
     tolerance: f64,
 ) -> Bend {
-    let r = tool.radius();
-    let beside: Vec<&Segment> = around
-        .iter()
-        .copied()
-        .filter(|other| {
-            let ends = [other.curve.start(), other.curve.end()];
-            ends.into_iter().any(|end| end.distance(bend.at) <= 2.0 * r)
-                && other.attributes.origin != segment.attributes.origin
-        })
-        .collect();
-    let at_corner = |end: DVec2| end.distance(bend.at) <= 2.0 * r;
-    if beside.is_empty() && !at_corner(segment.curve.start()) && !at_corner(segment.curve.end()) {
-        return *bend;
+    let at_bend = |segment: &Segment| {
+        let ends = [segment.curve.start(), segment.curve.end()];
+        ends.into_iter().any(|end| end.distance(bend.at) <= 2.0 * tool.radius())
+    };
+    let mut cut = *bend;
+    // Far from its ends nothing is cut away, and nothing else is near.
+    if !at_bend(segment) {
+        return cut;
     }
     let near = moves_near(moves, bend, tool);
-    let mut cut = *bend;
     // The path is within the tolerance of the offset, and both are rounded.
     if !near.iter().any(|piece| piece.nearest(bend.center).distance <= 2.0 * tolerance) {
         (cut.depth, cut.at) = depth_of(&near, &[segment], tool, bend.at);
     }
-    let (depth, at) = depth_of(&near, &beside, tool, bend.at);
-    if depth > cut.depth { Bend { at, depth, ..cut } } else { cut }
+    for other in around.iter().filter(|other| at_bend(other)) {
+        let (depth, at) = depth_of(&near, &[*other], tool, bend.at);
+        if depth > cut.depth {
+            (cut.depth, cut.at) = (depth, at);
+        }
+    }
+    cut
 }
 
 /// A bend as the spline through moved type points cuts it: about as the true offset does.
@@ -73,8 +72,13 @@ pub(super) fn as_moved(bend: &Bend, moves: &[MoveCurve], segment: &Segment, tool
 
 /// The moves that the tool may make the cut of a bend from.
 fn moves_near(moves: &[MoveCurve], bend: &Bend, tool: Tool) -> Vec<MoveCurve> {
-    let near = |piece: &&MoveCurve| piece.hull_bounds().distance(bend.center) <= tool.radius();
-    moves.iter().filter(near).copied().collect()
+    let mut near = Vec::new();
+    for piece in moves {
+        if piece.hull_bounds().distance(bend.center) <= tool.radius() {
+            near.push(*piece);
+        }
+    }
+    near
 }
 
 /// Reports an inside corner whose offsets do not meet.

@@ -37,9 +37,7 @@ impl<'a> Run<'a> {
         let mut polygon = None;
         let mut bends = Vec::new();
         let pieces = match curve {
-            Curve::Line(line) => {
-                offset_line(line, offset).map(MoveCurve::Line).into_iter().collect()
-            }
+            Curve::Line(line) => one(offset_line(line, offset).map(MoveCurve::Line)),
             Curve::Arc(arc) => match offset_arc(arc, offset) {
                 ArcOffset::Arc(arc) => vec![MoveCurve::Arc(arc)],
                 ArcOffset::Point => Vec::new(),
@@ -86,15 +84,17 @@ impl<'a> Run<'a> {
         let Some((from, to)) = from.zip(to) else { return (Vec::new(), false) };
         let backwards = to < from;
         let (low, high) = if backwards { (to, from) } else { (from, to) };
-        let mut moves: Vec<MoveCurve> = (low.piece..=high.piece)
-            .filter_map(|i| {
-                let t0 = if i == low.piece { low.t } else { 0.0 };
-                let t1 = if i == high.piece { high.t } else { 1.0 };
-                part(&self.pieces[i], t0, t1)
-            })
-            .collect();
+        let mut moves = Vec::with_capacity(high.piece + 1 - low.piece);
+        for i in low.piece..=high.piece {
+            let t0 = if i == low.piece { low.t } else { 0.0 };
+            let t1 = if i == high.piece { high.t } else { 1.0 };
+            moves.extend(part(&self.pieces[i], t0, t1));
+        }
         if backwards {
-            moves = moves.iter().rev().map(reversed).collect();
+            moves.reverse();
+            for piece in &mut moves {
+                *piece = reversed(piece);
+            }
         }
         if let (Terminal::Moved(point), Some(first)) = (start, moves.first_mut()) {
             *first = with_start(first, point);
@@ -109,8 +109,7 @@ impl<'a> Run<'a> {
         };
         let (from, to) = (point(start, self.ends[0]), point(end, self.ends[1]));
         let backwards = (to - from).dot(self.tangents[0]) < 0.0;
-        let line = Line::new(from, to).ok().map(MoveCurve::Line);
-        (line.into_iter().collect(), backwards)
+        (one(Line::new(from, to).ok().map(MoveCurve::Line)), backwards)
     }
 
     /// Where on the pieces a terminal stands; `None` where there are no pieces.
@@ -121,6 +120,14 @@ impl<'a> Run<'a> {
             (_, 0) => Place { piece: 0, t: 0.0 },
             (_, _) => Place { piece: last, t: 1.0 },
         })
+    }
+}
+
+/// A list of one piece, or none.
+fn one(piece: Option<MoveCurve>) -> Vec<MoveCurve> {
+    match piece {
+        Some(piece) => vec![piece],
+        None => Vec::new(),
     }
 }
 

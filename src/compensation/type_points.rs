@@ -54,27 +54,26 @@ impl<'a> Polygon<'a> {
         let points = self.spline.points();
         let last = points.len() - 1;
         let offset = self.tool.offset();
-        let directions: Vec<DVec2> =
-            points.windows(2).map(|pair| (pair[1] - pair[0]).normalize()).collect();
+        let direction = |leg: usize| (points[leg + 1] - points[leg]).normalize();
         let along_bisector = |before: DVec2, after: DVec2, point: DVec2| {
             // A polygon that doubles back has no bisector; the point then moves aside.
             let bisector = perp(before + after).normalize_or(perp(before));
             point + bisector * offset
         };
-        let at_end = |terminal, point: DVec2, direction: DVec2| match terminal {
+        let at_end = |terminal, point: DVec2, along: DVec2| match terminal {
             Terminal::To(point) | Terminal::Moved(point) => point,
-            Terminal::Whole | Terminal::At(_) => point + perp(direction) * offset,
+            Terminal::Whole | Terminal::At(_) => point + perp(along) * offset,
         };
         let mut moved: Vec<DVec2> = Vec::with_capacity(points.len());
         for (i, &point) in points.iter().enumerate() {
             moved.push(if self.spline.is_periodic() && (i == 0 || i == last) {
-                along_bisector(directions[last - 1], directions[0], point)
+                along_bisector(direction(last - 1), direction(0), point)
             } else if i == 0 {
-                at_end(start, point, directions[0])
+                at_end(start, point, direction(0))
             } else if i == last {
-                at_end(end, point, directions[last - 1])
+                at_end(end, point, direction(last - 1))
             } else {
-                along_bisector(directions[i - 1], directions[i], point)
+                along_bisector(direction(i - 1), direction(i), point)
             });
         }
         Spline::through(moved, self.spline.ends(), self.spline.parameter())
@@ -106,10 +105,8 @@ impl<'a> Polygon<'a> {
     /// Index of the first span that the move turns around: the tool does not fit between its type
     /// points.
     pub(super) fn turned_span(&self, moved: &Spline) -> Option<usize> {
-        let legs = |spline: &Spline| -> Vec<DVec2> {
-            spline.points().windows(2).map(|pair| pair[1] - pair[0]).collect()
-        };
-        legs(self.spline).iter().zip(legs(moved)).position(|(old, new)| old.dot(new) <= 0.0)
+        let (old, new) = (self.spline.points(), moved.points());
+        (0..old.len() - 1).find(|&i| (old[i + 1] - old[i]).dot(new[i + 1] - new[i]) <= 0.0)
     }
 
     /// End conditions and type points as programmed.

@@ -108,7 +108,7 @@ impl MoveCurve {
 
     /// Calls `add` with points after its start, up to and with its end, whose chords are within
     /// `tolerance` [mm] of it.
-    pub fn flatten(&self, tolerance: f64, mut add: impl FnMut(DVec2)) {
+    pub fn flatten(&self, tolerance: f64, add: &mut dyn FnMut(DVec2)) {
         match self {
             Self::Line(line) => add(line.end()),
             Self::Arc(arc) => flatten_arc(arc, tolerance, add),

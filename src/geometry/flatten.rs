@@ -9,7 +9,7 @@ const MAX_CHORDS: f64 = 1e6;
 
 /// Calls `add` with points along `arc` after its start, up to and with its end, whose chords are
 /// within `tolerance` [mm] of it.
-pub fn flatten_arc(arc: &Arc, tolerance: f64, mut add: impl FnMut(DVec2)) {
+pub fn flatten_arc(arc: &Arc, tolerance: f64, add: &mut dyn FnMut(DVec2)) {
     // Sagitta of a chord over the angle 2a: R (1 − cos a) ≤ tolerance, where
     // (1 − cos a) / (1 + cos a) = tan²(a/2).
     let rise = (tolerance / arc.radius()).clamp(1e-15, 1.0);
@@ -25,7 +25,7 @@ pub fn flatten_arc(arc: &Arc, tolerance: f64, mut add: impl FnMut(DVec2)) {
 
 /// Calls `add` with points along `cubic` after its start, up to and with its end, whose chords
 /// are within `tolerance` [mm] of it.
-pub fn flatten_cubic(cubic: &Cubic, tolerance: f64, mut add: impl FnMut(DVec2)) {
+pub fn flatten_cubic(cubic: &Cubic, tolerance: f64, add: &mut dyn FnMut(DVec2)) {
     // Wang's bound for equal steps: n² ≥ max|C''| / (8 tolerance); C'' is linear in t, so its
     // largest value stands at an end.
     let bend = cubic.second_derivative(0.0).length().max(cubic.second_derivative(1.0).length());

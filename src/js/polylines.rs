@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::argument::BadArgument;
-use crate::contour::{Contour, Move, MoveCurve};
+use crate::contour::{Contour, Move};
 use crate::geometry::{Curve, flatten_arc, flatten_cubic};
 
 /// Most vertices in one answer. A path of a hundred thousand moves has some millions at a
@@ -42,7 +42,7 @@ impl Polylines {
                 polylines.add(start, step.z[0], owner);
             }
             let from = polylines.owners.len();
-            step.curve.flatten(tolerance, |point| polylines.add(point, step.z[1], owner));
+            step.curve.flatten(tolerance, &mut |point| polylines.add(point, step.z[1], owner));
             polylines.spread_height(from, step);
             polylines.check()?;
             end = Some((step.curve.end(), step.z[1]));
@@ -65,12 +65,11 @@ impl Polylines {
             if i == 0 {
                 self.add(segment.curve.start(), z, number(i));
             }
-            let add = |point| self.add(point, z_end, number(i));
+            let mut add = |point| self.add(point, z_end, number(i));
             match &segment.curve {
-                Curve::Line(line) => MoveCurve::Line(*line).flatten(tolerance, add),
-                Curve::Arc(arc) => flatten_arc(arc, tolerance, add),
+                Curve::Line(line) => add(line.end()),
+                Curve::Arc(arc) => flatten_arc(arc, tolerance, &mut add),
                 Curve::Spline(spline) => {
-                    let mut add = add;
                     for piece in spline.pieces() {
                         flatten_cubic(piece, tolerance, &mut add);
                     }

@@ -161,7 +161,7 @@ impl Emitter {
             let total = next.curve.length();
             let mut points = Vec::new();
             if !matches!(next.curve, MoveCurve::Line(_) | MoveCurve::Vertical(_)) {
-                next.curve.flatten(self.tolerance, |point| points.push(point));
+                next.curve.flatten(self.tolerance, &mut |point| points.push(point));
                 points.pop();
             }
             let mut from = next.curve.start();

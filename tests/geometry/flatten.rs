@@ -40,7 +40,7 @@ fn chords_keep_the_tolerance_and_end_at_the_end() {
         for tolerance in [1.0, 1e-1, 1e-2, 1e-3] {
             let arc = shapes::arc(&mut random, 20.0);
             let mut chords = vec![arc.start()];
-            flatten_arc(&arc, tolerance, |point| chords.push(point));
+            flatten_arc(&arc, tolerance, &mut |point| chords.push(point));
             assert_eq!(chords.last(), Some(&arc.end()), "case {case}: the end of {arc:?}");
             judge(&Plain::of_arc(&arc), &chords, tolerance, &format!("case {case}: {arc:?}"));
             // Chords of sagitta h span 2 √(2 h R) or so; never more than twice as many.
@@ -50,7 +50,7 @@ fn chords_keep_the_tolerance_and_end_at_the_end() {
 
             let cubic = shapes::cubic(&mut random, 20.0);
             let mut chords = vec![cubic.start()];
-            flatten_cubic(&cubic, tolerance, |point| chords.push(point));
+            flatten_cubic(&cubic, tolerance, &mut |point| chords.push(point));
             assert_eq!(chords.last(), Some(&cubic.end()), "case {case}: the end of {cubic:?}");
             judge(&Plain::of_cubic(&cubic), &chords, tolerance, &format!("case {case}: {cubic:?}"));
         }

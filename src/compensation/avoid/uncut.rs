@@ -128,7 +128,7 @@ fn append(curve: &Curve, from: f64, to: f64, tolerance: f64, outline: &mut Vec<D
         Curve::Arc(arc) => {
             let part = Arc::from_sweep(arc.point(from), arc.center(), arc.sweep() * (to - from));
             if let Ok(part) = part {
-                flatten_arc(&part, tolerance, |point| outline.push(point));
+                flatten_arc(&part, tolerance, &mut |point| outline.push(point));
             }
         }
         Curve::Spline(spline) => {
@@ -137,7 +137,7 @@ fn append(curve: &Curve, from: f64, to: f64, tolerance: f64, outline: &mut Vec<D
                 let start = if span == first { t0 } else { 0.0 };
                 let end = if span == last { t1 } else { 1.0 };
                 let part = spline.pieces()[span].part(start, end);
-                flatten_cubic(&part, tolerance, |point| outline.push(point));
+                flatten_cubic(&part, tolerance, &mut |point| outline.push(point));
             }
         }
     }
@@ -155,7 +155,7 @@ fn along_tool(
     // The contour runs counter-clockwise about a tool on its left, and the way back clockwise.
     let clockwise = tool.side().sign() > 0.0;
     if let Ok(arc) = Arc::from_center(from, to, center, clockwise, f64::INFINITY) {
-        flatten_arc(&arc, tolerance, |point| outline.push(point));
+        flatten_arc(&arc, tolerance, &mut |point| outline.push(point));
     }
 }
 

@@ -55,7 +55,7 @@ pub(in crate::compensation) fn offset_spline(
     }
     let mut pieces: Vec<MoveCurve> = Vec::with_capacity(spline.pieces().len());
     let mut tight: Vec<Stretch> = Vec::new();
-    each_stretch(spline, offset, |stretch, source, fits| {
+    each_stretch(spline, offset, &mut |stretch, source, fits| {
         if !fits {
             tight.push(stretch);
         }
@@ -72,7 +72,7 @@ pub(in crate::compensation) fn offset_spline(
 /// Where the spline bends tighter than a tool at `offset` [mm].
 pub(in crate::compensation) fn spline_bends(spline: &Spline, offset: f64) -> Vec<Bend> {
     let mut tight: Vec<Stretch> = Vec::new();
-    each_stretch(spline, offset, |stretch, _, fits| {
+    each_stretch(spline, offset, &mut |stretch, _, fits| {
         if !fits {
             tight.push(stretch);
         }
@@ -82,7 +82,7 @@ pub(in crate::compensation) fn spline_bends(spline: &Spline, offset: f64) -> Vec
 
 /// Visits the stretches of every span between cusps of the offset and standstills of the spline,
 /// and tells whether the tool fits there.
-fn each_stretch(spline: &Spline, offset: f64, mut visit: impl FnMut(Stretch, &Source, bool)) {
+fn each_stretch(spline: &Spline, offset: f64, visit: &mut dyn FnMut(Stretch, &Source, bool)) {
     for (span, cubic) in spline.pieces().iter().enumerate() {
         for part in &cut_at_standstill(cubic) {
             let mut from = 0.0;

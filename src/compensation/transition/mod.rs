@@ -115,8 +115,9 @@ impl CornerFrame {
 
 /// Straight moves along `points`, those without length left out.
 pub(super) fn polyline(points: &[DVec2]) -> Vec<MoveCurve> {
-    points
-        .windows(2)
-        .filter_map(|pair| Line::new(pair[0], pair[1]).ok().map(MoveCurve::Line))
-        .collect()
+    let mut moves = Vec::with_capacity(points.len());
+    for pair in points.windows(2) {
+        moves.extend(Line::new(pair[0], pair[1]).ok().map(MoveCurve::Line));
+    }
+    moves
 }
