@@ -52,33 +52,40 @@ async function drop(count, use) {
   }
 }
 
-async function doesNotGrow(use) {
+/** Asserts that paths leave less than `slack` bytes behind in the WebAssembly's memory. */
+async function doesNotGrow(use, slack) {
   await drop(many / 20, use);
   const before = await settled();
   await drop(many, use);
   const after = await settled();
-  assert.equal(after.wasm, before.wasm, "memory of the WebAssembly");
+  const grown = after.wasm - before.wasm;
+  assert.ok(grown <= slack, `memory of the WebAssembly grew by ${grown} bytes`);
   assert.ok(after.heap - before.heap < 2e6, `heap: ${before.heap} to ${after.heap} bytes`);
 }
 
 test("a hundred thousand paths that are disposed of leave nothing behind", async () => {
-  await doesNotGrow((path) => path[Symbol.dispose]());
+  await doesNotGrow((path) => path[Symbol.dispose](), 0);
 });
 
 test("a hundred thousand paths that are forgotten leave nothing behind", async () => {
+  // How many are forgotten but not collected yet is the engine's choice, and the memory keeps the
+  // most there ever were; ten bytes left behind by each would be as much as this.
   await doesNotGrow((path, i) => {
     if (i % 100 === 0) {
       assert.ok(path.moves.length > 0 && path.transitions.length > 0);
     }
-  });
+  }, 10 * many);
 });
 
 test("flattening and reading programs leave nothing behind", async () => {
   const use = () => {
     flatten(part, 0.1);
     const read = parseProgram(program);
-    compensate(read, { radius: 2 }).gcode();
+    const path = compensate(read, { radius: 2 });
+    path.gcode();
     read.polylines(0.1);
+    path[Symbol.dispose]();
+    read[Symbol.dispose]();
     assert.throws(() => compensate(part, {}), { code: "bad-argument" });
   };
   const round = async () => {
