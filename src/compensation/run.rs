@@ -2,7 +2,9 @@
 
 use glam::DVec2;
 
-use super::offset::{ArcOffset, Bend, offset_arc, offset_line, offset_spline, spline_bends};
+use super::offset::{
+    ArcOffset, Bend, SpanEnd, offset_arc, offset_line, offset_spline, spline_bends,
+};
 use super::transition::{Place, Terminal};
 use super::type_points::Polygon;
 use super::{Options, SplineMethod};
@@ -16,6 +18,9 @@ pub(super) struct Run<'a> {
     /// The whole offset, in order; empty where it is a single point. For type points it stands
     /// for the ends of the spline: the equidistants of its first and last leg.
     pub(super) pieces: Vec<MoveCurve>,
+    /// For each span of a spline, where its pieces end; empty for anything else.
+    #[allow(dead_code, reason = "live edits and avoidance look spans up")]
+    pub(super) spans: Vec<SpanEnd>,
     /// Ends of the whole offset [mm].
     pub(super) ends: [DVec2; 2],
     /// Unit tangents at both ends that decide about corners.
@@ -36,6 +41,7 @@ impl<'a> Run<'a> {
         let mut curvatures = [curve.curvature(0.0), curve.curvature(1.0)];
         let mut polygon = None;
         let mut bends = Vec::new();
+        let mut spans = Vec::new();
         let pieces = match curve {
             Curve::Line(line) => one(offset_line(line, offset).map(MoveCurve::Line)),
             Curve::Arc(arc) => match offset_arc(arc, offset) {
@@ -57,6 +63,7 @@ impl<'a> Run<'a> {
             Curve::Spline(spline) => {
                 let whole = offset_spline(spline, offset, options.usable_tolerance());
                 bends = whole.bends;
+                spans = whole.spans;
                 whole.pieces
             }
         };
@@ -66,7 +73,7 @@ impl<'a> Run<'a> {
         if let (Some(first), Some(last)) = (pieces.first(), pieces.last()) {
             ends = [first.start(), last.end()];
         }
-        Self { segment, pieces, ends, tangents, curvatures, bends, polygon }
+        Self { segment, pieces, spans, ends, tangents, curvatures, bends, polygon }
     }
 
     /// Whether its offset is one straight line, which a corner may run on.

@@ -16,7 +16,9 @@ use glam::DVec2;
 
 pub(super) use arc::{ArcOffset, offset_arc};
 pub(super) use line::offset_line;
-pub(super) use spline::{offset_spline, spline_bends};
+#[allow(unused_imports, reason = "live edits offset single spans")]
+pub(super) use spline::offset_span;
+pub(super) use spline::{SpanEnd, offset_spline, spline_bends};
 
 /// A stretch of one segment that bends tighter than the tool.
 #[derive(Debug, Clone, Copy, PartialEq)]

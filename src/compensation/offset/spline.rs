@@ -38,8 +38,20 @@ const AT_END: f64 = 1e-9;
 pub(in crate::compensation) struct SplineOffset {
     /// Cubics that follow each other, and arcs around cusps of the spline itself.
     pub(in crate::compensation) pieces: Vec<MoveCurve>,
+    /// For each span, where its pieces end.
+    pub(in crate::compensation) spans: Vec<SpanEnd>,
     /// Where the spline bends tighter than the tool.
     pub(in crate::compensation) bends: Vec<Bend>,
+}
+
+/// The end of a span in the list of pieces.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[allow(dead_code, reason = "live edits and avoidance look spans up")]
+pub(in crate::compensation) struct SpanEnd {
+    /// How many pieces there are up to its end.
+    pub(in crate::compensation) pieces: u32,
+    /// Whether the tool fits all along it.
+    pub(in crate::compensation) fits: bool,
 }
 
 /// The spline offset by `offset` [mm] to its left, within `tolerance` [mm].
@@ -48,50 +60,78 @@ pub(in crate::compensation) fn offset_spline(
     offset: f64,
     tolerance: f64,
 ) -> SplineOffset {
+    let mut pieces: Vec<MoveCurve> = Vec::with_capacity(spline.pieces().len());
+    let mut spans = Vec::with_capacity(spline.pieces().len());
+    let mut tight: Vec<Stretch> = Vec::new();
+    for (span, cubic) in spline.pieces().iter().enumerate() {
+        let before = pieces.last().map(MoveCurve::end);
+        let fits = offset_span(cubic, offset, tolerance, before, &mut pieces, &mut |from, to| {
+            tight.push(Stretch { span, from, to });
+        });
+        let pieces = u32::try_from(pieces.len()).unwrap_or(u32::MAX);
+        spans.push(SpanEnd { pieces, fits });
+    }
+    let bends = bends(spline, offset, &tight);
+    SplineOffset { pieces, spans, bends }
+}
+
+/// Appends the offset of one span, and tells whether the tool fits all along it; where it does not,
+/// `tight` is told the range of parameters.
+///
+/// `before` is where the offset of the span before ends [mm]: where the spline turns back between
+/// the two, an arc about that cusp is appended first.
+pub(in crate::compensation) fn offset_span(
+    cubic: &Cubic,
+    offset: f64,
+    tolerance: f64,
+    mut before: Option<DVec2>,
+    pieces: &mut Vec<MoveCurve>,
+    tight: &mut dyn FnMut(f64, f64),
+) -> bool {
     if offset.abs() <= MIN_LENGTH {
         // No proof tells the two sides of the curve apart, and none is needed.
-        let pieces = spline.pieces().iter().copied().map(MoveCurve::Cubic).collect();
-        return SplineOffset { pieces, bends: Vec::new() };
+        pieces.push(MoveCurve::Cubic(*cubic));
+        return true;
     }
-    let mut pieces: Vec<MoveCurve> = Vec::with_capacity(spline.pieces().len());
-    let mut tight: Vec<Stretch> = Vec::new();
-    each_stretch(spline, offset, &mut |stretch, source, fits| {
+    let mut all_fit = true;
+    each_stretch(cubic, offset, &mut |source, from, to, fits| {
         if !fits {
-            tight.push(stretch);
+            all_fit = false;
+            tight(from, to);
         }
         let piece = source.hermite();
-        if let Some(last) = pieces.last() {
-            join(last.end(), piece.start(), source.cubic.start(), offset, &mut pieces);
+        if let Some(before) = before {
+            join(before, piece.start(), source.cubic.start(), offset, pieces);
         }
-        fit(source, &piece, fits, tolerance, 0, &mut pieces);
+        fit(source, &piece, fits, tolerance, 0, pieces);
+        before = pieces.last().map(MoveCurve::end).or(before);
     });
-    let bends = bends(spline, offset, &tight);
-    SplineOffset { pieces, bends }
+    all_fit
 }
 
 /// Where the spline bends tighter than a tool at `offset` [mm].
 pub(in crate::compensation) fn spline_bends(spline: &Spline, offset: f64) -> Vec<Bend> {
     let mut tight: Vec<Stretch> = Vec::new();
-    each_stretch(spline, offset, &mut |stretch, _, fits| {
-        if !fits {
-            tight.push(stretch);
-        }
-    });
+    for (span, cubic) in spline.pieces().iter().enumerate() {
+        each_stretch(cubic, offset, &mut |_, from, to, fits| {
+            if !fits {
+                tight.push(Stretch { span, from, to });
+            }
+        });
+    }
     bends(spline, offset, &tight)
 }
 
-/// Visits the stretches of every span between cusps of the offset and standstills of the spline,
-/// and tells whether the tool fits there.
-fn each_stretch(spline: &Spline, offset: f64, visit: &mut dyn FnMut(Stretch, &Source, bool)) {
-    for (span, cubic) in spline.pieces().iter().enumerate() {
-        for part in &cut_at_standstill(cubic) {
-            let mut from = 0.0;
-            for to in cusps(&part.cubic, offset).into_iter().chain([1.0]) {
-                let fits = room(&part.cubic, offset, 0.5 * (from + to)) >= 0.0;
-                let stretch = Stretch { span, from: part.at(from), to: part.at(to) };
-                visit(stretch, &Source { cubic: part.cubic.part(from, to), offset }, fits);
-                from = to;
-            }
+/// Visits the stretches of a span between cusps of the offset and standstills of the spline, and
+/// tells their ranges of parameters and whether the tool fits there.
+fn each_stretch(cubic: &Cubic, offset: f64, visit: &mut dyn FnMut(&Source, f64, f64, bool)) {
+    for part in &cut_at_standstill(cubic) {
+        let mut from = 0.0;
+        for to in cusps(&part.cubic, offset).into_iter().chain([1.0]) {
+            let fits = room(&part.cubic, offset, 0.5 * (from + to)) >= 0.0;
+            let source = Source { cubic: part.cubic.part(from, to), offset };
+            visit(&source, part.at(from), part.at(to), fits);
+            from = to;
         }
     }
 }
