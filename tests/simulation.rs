@@ -2,7 +2,7 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use g41::compensation::Options;
+use g41::compensation::{GougePolicy, Options};
 use g41::contour::{Move, MoveCurve, Role, ToolPath};
 use g41::diagnostic::Severity;
 use g41::program::{Dialect, EmitOptions, Item, Program, emit, interpret};
@@ -239,4 +239,22 @@ fn a_lead_shorter_than_the_radius_is_reported() {
     let expected = [("short-lead-in", warning), ("short-lead-out", warning)];
     assert_eq!(codes(&path_of(text, 3.0)), expected, "3 mm");
     assert_eq!(codes(&path_of(text, 1.0)), [], "1 mm");
+}
+
+/// A slot of 10 mm beside a contour that a tool of 4 mm runs along freely.
+const TOO_NARROW: &str = "G0 X-20 Y-20\nG1 G41 D1 X0 Y0 F300\nY20\nG40 X-20\nG41 D1 X0 Y0\nX20\n\
+     G3 X26 Y0 I3 J0\nG1 X40\nG40 X60\n";
+
+#[test]
+fn one_gouge_stops_the_whole_program() {
+    let read = interpret(&Program::parse(TOO_NARROW, Dialect::Auto));
+    let with = |radius, gouge| {
+        let options = Options { gouge, ..Options::default() };
+        compensate_program(&read, &Tools::all(radius), &options)
+    };
+    let stopped = with(4.0, GougePolicy::Stop);
+    assert!(stopped.moves.is_empty() && stopped.words.is_empty(), "{stopped:?}");
+    assert_eq!(stopped.diagnostics.last().map(|d| d.code), Some("stopped"));
+    assert!(!with(4.0, GougePolicy::Report).moves.is_empty(), "reported only");
+    assert_eq!(with(2.0, GougePolicy::Stop), with(2.0, GougePolicy::Report), "a tool that fits");
 }

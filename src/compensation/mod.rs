@@ -5,17 +5,17 @@
 //! runs end and which moves stand between them. Last, the runs are cut or run on to their two
 //! ends and strung together with what was inserted (`assemble`). No step looks further than the
 //! two segments of a corner. `avoid` does: from the same runs and corners it makes the path that never
-//! comes too near to any point of the contour.
+//! comes too near to any point of the contour. `policy` chooses between the two.
 
 mod assemble;
 mod avoid;
 mod corner;
-
 mod lead;
 mod meet;
 mod offset;
 mod options;
 mod path;
+mod policy;
 mod report;
 mod run;
 mod transition;
@@ -23,4 +23,7 @@ mod type_points;
 
 pub use assemble::compensate;
 pub use avoid::avoid;
-pub use options::{CornerStyle, LeadStyle, MIN_TOLERANCE, Options, SplineMethod, TangentBand};
+pub use options::{
+    CornerStyle, GougePolicy, LeadStyle, MIN_TOLERANCE, Options, Passes, SplineMethod, TangentBand,
+};
+pub use policy::{compensate_all, refuse_gouges};

@@ -42,7 +42,39 @@ pub enum TangentBand {
     Angle(f64),
 }
 
-/// Choices of [`compensate`](super::compensate).
+/// What becomes of places where the tool does not fit.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum GougePolicy {
+    /// The path is as a control without a look-ahead would cut it; what it gouges is reported.
+    #[default]
+    Report,
+    /// The path leaves out what would gouge; what it leaves uncut is reported.
+    Avoid,
+    /// The first gouge is one too many: there is no path, only the report.
+    Stop,
+}
+
+/// How many paths beside each other clear a pocket.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub enum Passes {
+    /// Along the contour only.
+    #[default]
+    One,
+    /// This many, as far as there is room for them.
+    Several {
+        /// How many, the one along the contour included.
+        count: u32,
+        /// Distance from one to the next [mm].
+        stepover: f64,
+    },
+    /// As many as there is room for.
+    All {
+        /// Distance from one to the next [mm].
+        stepover: f64,
+    },
+}
+
+/// Choices of [`compensate`](super::compensate) and [`compensate_all`](super::compensate_all).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Options {
     /// Largest distance of the path of a spline from the true equidistant [mm].
@@ -55,6 +87,11 @@ pub struct Options {
     pub lead: LeadStyle,
     /// Which turns are no corners.
     pub tangent_band: TangentBand,
+    /// What becomes of places where the tool does not fit; [`compensate`](super::compensate) by
+    /// itself reports them.
+    pub gouge: GougePolicy,
+    /// How many paths beside each other, where gouges are avoided.
+    pub passes: Passes,
 }
 
 impl Default for Options {
@@ -65,6 +102,8 @@ impl Default for Options {
             spline: SplineMethod::default(),
             lead: LeadStyle::default(),
             tangent_band: TangentBand::default(),
+            gouge: GougePolicy::default(),
+            passes: Passes::default(),
         }
     }
 }

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::Tools;
-use crate::compensation::{Options, compensate};
+use crate::compensation::{GougePolicy, Options, compensate_all, refuse_gouges};
 use crate::contour::{AuxiliaryWords, Move, MoveCurve, Role, Tool, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Decimal, Line, MIN_LENGTH};
@@ -12,13 +12,21 @@ use crate::program::{Interpretation, Item, ProgrammedContour, RadiusSource};
 /// The path of the tool centre through a whole program, rapid moves and words included, with
 /// what every stage found.
 ///
-/// A contour whose tool has no radius is reported, and passes as if the radius were zero.
+/// A contour whose tool has no radius is reported, and passes as if the radius were zero. With
+/// [`GougePolicy::Stop`] one gouge leaves the whole program without a path: what follows it would
+/// start from a place where the tool never came.
 #[must_use]
 pub fn compensate_program(
     interpretation: &Interpretation,
     tools: &Tools,
     options: &Options,
 ) -> ToolPath {
+    // Refused is the program as a whole, not each of its contours.
+    let gouge = match options.gouge {
+        GougePolicy::Stop => GougePolicy::Report,
+        policy => policy,
+    };
+    let each = Options { gouge, ..*options };
     let mut course = Course::default();
     course.path.diagnostics.clone_from(&interpretation.diagnostics);
     for item in &interpretation.items {
@@ -29,8 +37,11 @@ pub fn compensate_program(
                 words: words.clone(),
                 origin: *origin,
             }),
-            Item::Contour(programmed) => course.contour(programmed, tools, options),
+            Item::Contour(programmed) => course.contour(programmed, tools, &each),
         }
+    }
+    if options.gouge == GougePolicy::Stop {
+        refuse_gouges(&mut course.path);
     }
     course.path
 }
@@ -77,7 +88,7 @@ impl Course {
     fn contour(&mut self, programmed: &ProgrammedContour, tools: &Tools, options: &Options) {
         let origin = Origin::Block { line: programmed.blocks[0], number: None, column: None };
         let tool = self.tool(programmed, tools, origin);
-        let mut compensated = compensate(&programmed.contour, tool, options);
+        let mut compensated = compensate_all(&[(&programmed.contour, tool)], options);
         let follows_a_contour = self.path.moves.last().is_some_and(|last| last.role != Role::Free);
         if let Some(first) = compensated.moves.first_mut()
             && let Some(at) = self.elsewhere(first.curve.start())

@@ -83,6 +83,7 @@ fn options(random: &mut Random) -> Options {
         } else {
             TangentBand::Angle(random.within(0.0, 0.1))
         },
+        ..Options::default()
     }
 }
 

@@ -15,6 +15,7 @@ mod inside_corners;
 mod judge;
 mod judged;
 mod leads;
+mod policies;
 mod radii;
 mod random_contours;
 mod reversals;

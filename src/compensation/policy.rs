@@ -1,0 +1,44 @@
+//! What becomes of gouges: reported, avoided, or reason to make no path at all.
+
+use super::assemble::compensate;
+use super::avoid::avoid;
+use super::{GougePolicy, Options};
+use crate::contour::{Contour, Tool, ToolPath};
+use crate::diagnostic::Diagnostic;
+
+/// The path of several contours, each with its tool, as [`Options::gouge`] wants it.
+///
+/// With [`GougePolicy::Stop`] a path that gouges anywhere is left empty; its gouges and diagnostics
+/// stay.
+#[must_use]
+pub fn compensate_all(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath {
+    let make: fn(&Contour, Tool, &Options) -> ToolPath = match options.gouge {
+        GougePolicy::Report | GougePolicy::Stop => compensate,
+        GougePolicy::Avoid => avoid,
+    };
+    let mut path = ToolPath::default();
+    for (contour, tool) in jobs {
+        path.append(make(contour, *tool, options));
+    }
+    if options.gouge == GougePolicy::Stop {
+        refuse_gouges(&mut path);
+    }
+    path
+}
+
+/// Takes all moves from a path that gouges, and says so.
+pub fn refuse_gouges(path: &mut ToolPath) {
+    let Some(deepest) = path.gouges.iter().max_by(|a, b| a.depth.total_cmp(&b.depth)) else {
+        return;
+    };
+    let mut diagnostic = Diagnostic::error("stopped", "the path would gouge, so there is none")
+        .with_point(deepest.at)
+        .with_depth(deepest.depth)
+        .with_hint("use a smaller tool, or let gouges be avoided")
+        .with_segments(deepest.segments.iter().copied());
+    diagnostic.origin = deepest.segments.first().copied();
+    path.moves.clear();
+    path.transitions.clear();
+    path.words.clear();
+    path.diagnostics.push(diagnostic);
+}
