@@ -135,6 +135,29 @@ impl ContourBuilder {
         self.described.is_empty()
     }
 
+    /// Where the contour starts [mm].
+    #[must_use]
+    pub fn start(&self) -> DVec2 {
+        self.start
+    }
+
+    /// Lets the contour start elsewhere [mm].
+    pub fn move_start(&mut self, to: DVec2) {
+        self.start = to;
+    }
+
+    /// The segments added so far.
+    #[must_use]
+    pub fn described(&self) -> &[(Shape, Attributes)] {
+        &self.described
+    }
+
+    /// The shape of segment `i`, to be changed.
+    #[must_use]
+    pub fn shape_mut(&mut self, i: usize) -> Option<&mut Shape> {
+        self.described.get_mut(i).map(|(shape, _)| shape)
+    }
+
     /// Makes the contour.
     #[must_use]
     pub fn build(self, closed: bool) -> Built {
@@ -238,32 +261,11 @@ impl ContourBuilder {
             };
             let origin = attributes.origin;
             let points = usable_points(*from, &shape.points, origin, diagnostics);
-            let alone = slots.len() == 1;
-            let neighbour = |index: Option<usize>, at_end: f64| {
-                let Slot::Made(curve) = &slots[index?] else { return None };
+            let ends = self.spline_ends(i, closed, &|neighbour, at_end| {
+                let Slot::Made(curve) = &slots[neighbour] else { return None };
                 let tangent = || curve.tangent(at_end);
                 matches!(curve, Curve::Line(_) | Curve::Arc(_)).then(tangent)
-            };
-            let last = slots.len() - 1;
-            let before = if i > 0 { Some(i - 1) } else { closed.then_some(last) };
-            let after = if i < last { Some(i + 1) } else { closed.then_some(0) };
-            let end_condition = |given: Option<DVec2>, index, at_end| {
-                let smooth = || shape.smooth.then(|| neighbour(index, at_end)).flatten();
-                let usable = |tangent: &DVec2| tangent.try_normalize().is_some();
-                given
-                    .filter(usable)
-                    .or_else(smooth)
-                    .map_or(EndCondition::Natural, EndCondition::Tangent)
-            };
-            let periodic = shape.periodic.unwrap_or(closed && alone);
-            let ends = if periodic {
-                SplineEnds::Periodic
-            } else {
-                SplineEnds::Open {
-                    start: end_condition(shape.start_tangent, before, 1.0),
-                    end: end_condition(shape.end_tangent, after, 0.0),
-                }
-            };
+            });
             slots[i] = match Spline::through(points, ends, shape.parameter) {
                 Ok(spline) => Slot::Made(Curve::Spline(spline)),
                 Err(error) => {
@@ -271,6 +273,35 @@ impl ContourBuilder {
                     replacement(*from, last_in_range(&shape.points))
                 }
             };
+        }
+    }
+
+    /// How described segment `i`, a spline, ends; `tangent_of` gives the tangent of a neighbour at
+    /// its start (0) or end (1), if that is a line or an arc.
+    pub(crate) fn spline_ends(
+        &self,
+        i: usize,
+        closed: bool,
+        tangent_of: &dyn Fn(usize, f64) -> Option<DVec2>,
+    ) -> SplineEnds {
+        let Shape::Spline(shape) = &self.described[i].0 else { return SplineEnds::NATURAL };
+        let last = self.described.len() - 1;
+        if shape.periodic.unwrap_or(closed && last == 0) {
+            return SplineEnds::Periodic;
+        }
+        let before = if i > 0 { Some(i - 1) } else { closed.then_some(last) };
+        let after = if i < last { Some(i + 1) } else { closed.then_some(0) };
+        let end_condition = |given: Option<DVec2>, neighbour: Option<usize>, at_end| {
+            let smooth = || neighbour.filter(|_| shape.smooth).and_then(|n| tangent_of(n, at_end));
+            let usable = |tangent: &DVec2| tangent.try_normalize().is_some();
+            given
+                .filter(usable)
+                .or_else(smooth)
+                .map_or(EndCondition::Natural, EndCondition::Tangent)
+        };
+        SplineEnds::Open {
+            start: end_condition(shape.start_tangent, before, 1.0),
+            end: end_condition(shape.end_tangent, after, 0.0),
         }
     }
 }

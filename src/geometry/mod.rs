@@ -19,6 +19,7 @@ mod nearest;
 mod sine;
 mod sort;
 mod spline;
+mod spline_edit;
 mod tridiagonal;
 mod vector;
 
@@ -35,4 +36,5 @@ pub use nearest::Nearest;
 pub use sine::sin_cos;
 pub use sort::sort_short;
 pub use spline::{EndCondition, Parameter, Spline, SplineEnds};
+pub use spline_edit::{ChangedSpans, Least, SplineEdit};
 pub use vector::{cross, direction, perp, rotate, turn};

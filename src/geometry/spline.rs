@@ -48,7 +48,7 @@ pub enum Parameter {
 }
 
 impl Parameter {
-    fn interval(self, chord: f64) -> f64 {
+    pub(super) fn interval(self, chord: f64) -> f64 {
         match self {
             Self::Chord => chord,
             Self::Centripetal => chord.sqrt(),
@@ -58,7 +58,7 @@ impl Parameter {
 
 /// Shortest parameter interval of a span, as a fraction of all: below it the difference of two
 /// knots is made of rounding. Of a spline of a metre that is less than [`MIN_LENGTH`].
-const LEAST_INTERVAL: f64 = 1e-13;
+pub(super) const LEAST_INTERVAL: f64 = 1e-13;
 
 /// The C2 cubic spline through type points.
 ///
@@ -131,6 +131,28 @@ impl Spline {
             })
             .collect();
         Ok(Self { points, knots, pieces, ends, parameter })
+    }
+
+    /// The spline of some spans, given by their points, parameter intervals and derivatives there,
+    /// which are those of a spline already.
+    pub(super) fn of_spans(
+        points: &[DVec2],
+        intervals: &[f64],
+        derivatives: &[DVec2],
+        parameter: Parameter,
+    ) -> Self {
+        let mut knots = vec![0.0];
+        let mut pieces = Vec::with_capacity(intervals.len());
+        for (i, &h) in intervals.iter().enumerate() {
+            knots.push(knots[i] + h);
+            let (d0, d1) = (derivatives[i] * h, derivatives[i + 1] * h);
+            pieces.push(Cubic::hermite(points[i], d0, points[i + 1], d1));
+        }
+        let ends = SplineEnds::Open {
+            start: EndCondition::Tangent(derivatives[0]),
+            end: EndCondition::Tangent(derivatives[intervals.len()]),
+        };
+        Self { points: points.to_vec(), knots, pieces, ends, parameter }
     }
 
     /// The type points [mm], start and end among them.
@@ -355,7 +377,7 @@ fn knots_of(points: &[DVec2], parameter: Parameter) -> Vec<f64> {
 
 /// The row that makes the second derivative continuous at a type point with the span `before`
 /// behind and the span `after` ahead of it (de Boor, A Practical Guide to Splines, ch. IV).
-fn continuity_row(before: (DVec2, f64), after: (DVec2, f64)) -> Row {
+pub(super) fn continuity_row(before: (DVec2, f64), after: (DVec2, f64)) -> Row {
     let ((chord0, h0), (chord1, h1)) = (before, after);
     Row {
         lower: h1,
@@ -394,7 +416,7 @@ fn open_derivatives(
 }
 
 /// The row of an end's condition.
-fn end_row(condition: EndCondition, chord: DVec2, h: f64, at_end: bool) -> Row {
+pub(super) fn end_row(condition: EndCondition, chord: DVec2, h: f64, at_end: bool) -> Row {
     match condition {
         EndCondition::Natural => Row {
             lower: if at_end { 1.0 } else { 0.0 },

@@ -12,4 +12,5 @@ mod lengths;
 mod nearest;
 mod roots;
 mod shapes;
+mod spline_edits;
 mod splines;
