@@ -8,12 +8,13 @@ use std::path::Path;
 
 use g41::contour::{
     Attributes, ContourBuilder, Gouge, GougeKind, Lead, Shape, Side, SplineShape, Transition,
-    TransitionKind,
+    TransitionKind, Uncut,
 };
 use g41::diagnostic::{Diagnostic, Origin};
 use g41::geometry::Parameter;
 use g41::js::{
     Numbering, RECORD_STRIDE, contours_json, diagnostics_json, gouges_json, transitions_json,
+    uncut_json,
 };
 use g41::program::{ProgrammedContour, RadiusSource};
 use glam::{DVec2, dvec2};
@@ -33,6 +34,10 @@ fn samples_of_every_report_are_written_for_tsc() {
         sample(&diagnostics_json(&diagnostics(), &numbering), "api.Diagnostic[]");
         sample(&transitions_json(&transitions(), &numbering), "api.Transition[]");
         sample(&gouges_json(&gouges(), &numbering), "api.Gouge[]");
+        sample(
+            &uncut_json(&uncut(), &numbering),
+            "(Omit<api.Uncut, \"outline\"> & { vertices: number })[]",
+        );
     }
     sample(&contours_json(&contours()), "api.ProgrammedContour[]");
     sample(&RECORD_STRIDE.to_string(), "typeof api.RECORD_STRIDE");
@@ -82,6 +87,14 @@ fn gouges() -> Vec<Gouge> {
     let gouge =
         |kind| Gouge { kind, at: DVec2::X, depth: 0.5, segments: vec![BLOCK, BARE_BLOCK, SEGMENT] };
     [GougeKind::Curvature, GougeKind::Bottleneck].map(gouge).into()
+}
+
+fn uncut() -> Vec<Uncut> {
+    vec![Uncut {
+        outline: vec![DVec2::ZERO, DVec2::X, DVec2::Y],
+        area: 0.5,
+        segments: vec![BLOCK, BARE_BLOCK, SEGMENT],
+    }]
 }
 
 /// Contours with segments of every kind, splines with every end, and every source of a radius.

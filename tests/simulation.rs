@@ -241,7 +241,7 @@ fn a_lead_shorter_than_the_radius_is_reported() {
     assert_eq!(codes(&path_of(text, 1.0)), [], "1 mm");
 }
 
-/// A slot of 10 mm beside a contour that a tool of 4 mm runs along freely.
+/// A contour without a bend, then one with a round groove of radius 3 mm.
 const TOO_NARROW: &str = "G0 X-20 Y-20\nG1 G41 D1 X0 Y0 F300\nY20\nG40 X-20\nG41 D1 X0 Y0\nX20\n\
      G3 X26 Y0 I3 J0\nG1 X40\nG40 X60\n";
 

@@ -1,11 +1,18 @@
 // The functions of the package, the same for every way of loading it.
 import { bad } from "./check.js";
 import { call } from "./lifecycle.js";
-import { contourOptions, parseOptions, programOptions, tolerance } from "./options.js";
+import {
+  contourCheckOptions,
+  contourOptions,
+  parseOptions,
+  programCheckOptions,
+  programOptions,
+  tolerance,
+} from "./options.js";
 import { packContours } from "./pack.js";
 import { unpackPolylines } from "./polylines.js";
 import { Program, useProgram } from "./program.js";
-import { ToolPath } from "./tool_path.js";
+import { ToolPath, useToolPath } from "./tool_path.js";
 
 export { RECORD_STRIDE } from "./moves.js";
 export { Program, ToolPath };
@@ -39,6 +46,30 @@ export function compensate(contours, options) {
   const records = packContours(contours);
   return new ToolPath((glue) =>
     glue.compensateContours(records, side, radius, new glue.Settings(...settings)),
+  );
+}
+
+/**
+ * @param {unknown} contours a program, or contours
+ * @param {unknown} path
+ * @param {unknown} [options]
+ */
+export function check(contours, path, options) {
+  ready();
+  if (!(path instanceof ToolPath)) {
+    bad(() => "path", "be a tool path that compensate has made");
+  }
+  if (contours instanceof Program) {
+    const { tools, radius, tolerance } = programCheckOptions(options);
+    const gouges = useProgram(contours, (program) =>
+      useToolPath(path, (raw) => program.check(raw, tools, radius, tolerance)),
+    );
+    return JSON.parse(gouges);
+  }
+  const { radius, tolerance } = contourCheckOptions(options);
+  const records = packContours(contours);
+  return JSON.parse(
+    useToolPath(path, (raw, glue) => glue.checkContours(records, raw, radius, tolerance)),
   );
 }
 

@@ -9,7 +9,7 @@ use super::polylines::Polylines;
 use super::polylines_handle::PolylinesHandle;
 use super::settings::Settings;
 use super::tool_path::ToolPathHandle;
-use crate::compensation::compensate;
+use crate::compensation::compensate_all;
 use crate::contour::{Contour, Tool, ToolPath};
 use crate::diagnostic::Origin;
 
@@ -27,18 +27,20 @@ pub fn compensate_contours(
     let (contours, numbering) = read_contours(records)?;
     let side_name = side_name.and_then(side);
     let options = settings.into_options();
-    let mut path = ToolPath::default();
+    let mut found = Vec::new();
+    let mut jobs = Vec::new();
     for contour in contours {
         let side = side_name.or(contour.side).ok_or_else(|| missing("options.side"))?;
         let radius = radius.or(contour.radius).ok_or_else(|| missing("options.radius"))?;
         let tool = Tool::new(radius, side)
             .ok_or_else(|| BadArgument::new("options.radius", "be at most 1e7 mm"))?;
         let mut built = contour.build();
-        path.diagnostics.append(&mut built.diagnostics);
-        if let Some(contour) = &built.contour {
-            path.append(compensate(contour, tool, &options));
-        }
+        found.append(&mut built.diagnostics);
+        jobs.extend(built.contour.map(|contour| (contour, tool)));
     }
+    let jobs: Vec<_> = jobs.iter().map(|(contour, tool)| (contour, *tool)).collect();
+    let mut path = ToolPath { diagnostics: found, ..ToolPath::default() };
+    path.append(compensate_all(&jobs, &options));
     Ok(ToolPathHandle::new(path, numbering))
 }
 

@@ -10,6 +10,7 @@ mod argument;
 mod compensate;
 mod contour_records;
 mod json;
+mod judge;
 mod move_records;
 mod names;
 mod numbering;
@@ -23,13 +24,14 @@ mod tool_path;
 
 pub use argument::BadArgument;
 pub use compensate::{compensate_contours, flatten_contours};
+pub use judge::check_contours;
 pub use move_records::STRIDE as RECORD_STRIDE;
-pub use names::{CornerName, LeadName, SideName, SplineName};
+pub use names::{CornerName, GougeName, LeadName, SideName, SplineName};
 pub use numbering::Numbering;
 pub use polylines_handle::PolylinesHandle;
 pub use program::{ProgramHandle, parse_program};
 pub use programmed::contours_json;
-pub use report::{diagnostics_json, gouges_json, transitions_json};
+pub use report::{diagnostics_json, gouges_json, transitions_json, uncut_json};
 pub use settings::Settings;
 pub use tool_path::ToolPathHandle;
 

@@ -3,7 +3,7 @@
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::compensation::{CornerStyle, LeadStyle, SplineMethod};
+use crate::compensation::{CornerStyle, GougePolicy, LeadStyle, SplineMethod};
 use crate::contour::Side;
 
 /// `side` of `types.d.ts`.
@@ -46,6 +46,18 @@ pub enum LeadName {
     Perpendicular = "perpendicular",
 }
 
+/// `gouge` of `types.d.ts`.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum GougeName {
+    /// The path as it is, and what it gouges.
+    Report = "report",
+    /// The path without what it would gouge, and what it leaves uncut.
+    Avoid = "avoid",
+    /// No path where one would gouge.
+    Stop = "stop",
+}
+
 // A name has a further variant for texts that are none of it; `api.js` lets none of these pass.
 
 /// What a spline method's name stands for.
@@ -72,6 +84,16 @@ pub(super) fn lead_style(name: LeadName) -> Option<LeadStyle> {
         LeadName::Textbook => Some(LeadStyle::Textbook),
         LeadName::Perpendicular => Some(LeadStyle::Perpendicular),
         LeadName::__Invalid => None,
+    }
+}
+
+/// What a gouge policy's name stands for.
+pub(super) fn gouge_policy(name: GougeName) -> Option<GougePolicy> {
+    match name {
+        GougeName::Report => Some(GougePolicy::Report),
+        GougeName::Avoid => Some(GougePolicy::Avoid),
+        GougeName::Stop => Some(GougePolicy::Stop),
+        GougeName::__Invalid => None,
     }
 }
 

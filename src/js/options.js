@@ -10,14 +10,16 @@ const splines = /** @type {const} */ (["exact", "type-points"]);
 const corners = /** @type {const} */ (["linear", "arc"]);
 const leads = /** @type {const} */ (["textbook", "perpendicular"]);
 const laterLeads = ["intersection", "extra-move", "linuxcnc"];
-const gouges = /** @type {const} */ (["report"]);
-const laterGouges = ["avoid", "stop"];
+const gouges = /** @type {const} */ (["report", "avoid", "stop"]);
 
-const settingKeys = ["profile", "tolerance", "spline", "corner", "lead", "gouge", "tangentBand"];
-/** Options of a later version. */
-const laterKeys = ["passes", "stepover"];
-const contourKeys = new Set(["side", "radius", ...settingKeys, ...laterKeys]);
-const programKeys = new Set(["tools", "radius", ...settingKeys, ...laterKeys]);
+const settingKeys = [
+  ...["profile", "tolerance", "spline", "corner", "lead", "tangentBand"],
+  ...["gouge", "passes", "stepover"],
+];
+const contourKeys = new Set(["side", "radius", ...settingKeys]);
+const programKeys = new Set(["tools", "radius", ...settingKeys]);
+const contourCheckKeys = new Set(["radius", "tolerance"]);
+const programCheckKeys = new Set(["tools", ...contourCheckKeys]);
 const parseKeys = new Set(["dialect", "profile"]);
 const gcodeKeys = new Set(["target", "tolerance", "feed"]);
 const toolKeys = new Set(["radius"]);
@@ -76,6 +78,25 @@ export function programOptions(given = {}) {
 }
 
 /** @param {unknown} given */
+export function contourCheckOptions(given = {}) {
+  return checkOptions(object(given, contourCheckKeys, here));
+}
+
+/** @param {unknown} given */
+export function programCheckOptions(given = {}) {
+  const options = object(given, programCheckKeys, here);
+  return { tools: optional(options.tools, tools) ?? new Float64Array(), ...checkOptions(options) };
+}
+
+/** @param {Record<string, unknown>} options */
+function checkOptions(options) {
+  return {
+    radius: optional(options.radius, radius, at("radius")),
+    tolerance: optional(options.tolerance, toleranceAt, at("tolerance")) ?? defaultTolerance,
+  };
+}
+
+/** @param {unknown} given */
 export function parseOptions(given = {}) {
   const options = object(given, parseKeys, here);
   profile(options);
@@ -107,20 +128,56 @@ export function gcodeOptions(given = {}) {
  */
 function settings(options) {
   profile(options);
-  optional(options.gouge, (value) => oneOf(value, gouges, at("gouge"), laterGouges));
-  for (const key of laterKeys) {
-    // One pass is what there is.
-    if (options[key] !== undefined && !(key === "passes" && options[key] === 1)) {
-      notSupported(at(key), `"${key}"`);
-    }
-  }
+  const gouge = optional(options.gouge, (value) => oneOf(value, gouges, at("gouge")));
   return /** @type {const} */ ([
     optional(options.tolerance, toleranceAt, at("tolerance")),
     optional(options.spline, (value) => oneOf(value, splines, at("spline"))),
     optional(options.corner, (value) => oneOf(value, corners, at("corner"))),
     optional(options.lead, (value) => oneOf(value, leads, at("lead"), laterLeads)),
     optional(options.tangentBand, tangentBand),
+    gouge,
+    ...passes(options, gouge === "avoid"),
   ]);
+}
+
+/**
+ * How many passes, nothing for all that there is room for, and their stepover, nothing for one.
+ *
+ * @param {Record<string, unknown>} options
+ * @param {boolean} avoids
+ * @returns {readonly [number | undefined, number | undefined]}
+ */
+function passes(options, avoids) {
+  const count = optional(options.passes, passCount) ?? 1;
+  const stepover = optional(options.stepover, positive, at("stepover"));
+  if (count === 1) {
+    return [undefined, undefined];
+  }
+  if (!avoids) {
+    bad(at("gouge"), 'be "avoid" where there are several passes');
+  }
+  if (stepover === undefined) {
+    bad(at("stepover"), "be given where there are several passes");
+  }
+  // The core has no second pass yet.
+  return notSupported(at("passes"), `"${count}"`);
+}
+
+/** Most passes: more than any pocket has, and a count that the core can hold. */
+const mostPasses = 1e6;
+
+/**
+ * @param {unknown} value
+ * @returns {number | "all"}
+ */
+function passCount(value) {
+  if (
+    value === "all" ||
+    (Number.isInteger(value) && Number(value) >= 1 && Number(value) <= mostPasses)
+  ) {
+    return /** @type {number | "all"} */ (value);
+  }
+  bad(at("passes"), `be "all", or a whole number from 1 to ${mostPasses}`);
 }
 
 /** @param {Record<string, unknown>} options */

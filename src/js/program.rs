@@ -7,11 +7,11 @@ use super::numbering::Numbering;
 use super::polylines::Polylines;
 use super::polylines_handle::PolylinesHandle;
 use super::programmed::contours_json;
-use super::report::diagnostics_json;
+use super::report::{diagnostics_json, gouges_json};
 use super::settings::Settings;
 use super::tool_path::ToolPathHandle;
 use crate::program::{Dialect, Interpretation, Item, Program, ProgrammedContour, interpret};
-use crate::simulation::{Tools, compensate_program};
+use crate::simulation::{Tools, check_program, compensate_program};
 
 /// A program that was read and understood; `Program` of `types.d.ts` holds one.
 #[wasm_bindgen]
@@ -73,13 +73,33 @@ impl ProgramHandle {
         radius: Option<f64>,
         settings: Settings,
     ) -> ToolPathHandle {
-        // The numbers are whole, as `api.js` has checked.
-        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "see above")]
-        let radii = tools.chunks_exact(2).map(|tool| (tool[0] as u32, tool[1])).collect();
-        let tools = Tools { radii, default_radius: radius };
+        let tools = tool_table(tools, radius);
         let path = compensate_program(&self.interpretation, &tools, &settings.into_options());
         ToolPathHandle::new(path, Numbering::plain())
     }
+
+    /// The gouges of `path`, as JSON; what is less deep than `tolerance` [mm] is none. The tools are
+    /// those of `compensate`.
+    #[must_use]
+    pub fn check(
+        &self,
+        path: &ToolPathHandle,
+        tools: &[f64],
+        radius: Option<f64>,
+        tolerance: f64,
+    ) -> String {
+        let tools = tool_table(tools, radius);
+        let gouges = check_program(&self.interpretation, path.path(), &tools, tolerance);
+        gouges_json(&gouges, &Numbering::plain())
+    }
+}
+
+/// The tools of pairs of a number and a radius [mm], and of `radius` for all others.
+fn tool_table(tools: &[f64], radius: Option<f64>) -> Tools {
+    // The numbers are whole, as `api.js` has checked.
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "see above")]
+    let radii = tools.chunks_exact(2).map(|tool| (tool[0] as u32, tool[1])).collect();
+    Tools { radii, default_radius: radius }
 }
 
 /// An index of a segment as JavaScript gets it; no program has so many.

@@ -1,11 +1,11 @@
-//! Reports as JSON: diagnostics, transitions and gouges.
+//! Reports as JSON: diagnostics, transitions, gouges and what is uncut.
 //!
 //! Each is taken apart field by field and matched variant by variant, so that what is added to the
 //! core does not compile here until it is passed on.
 
 use super::json::{Object, list};
 use super::numbering::{Numbering, Place};
-use crate::contour::{Gouge, GougeKind, Transition, TransitionKind};
+use crate::contour::{Gouge, GougeKind, Transition, TransitionKind, Uncut};
 use crate::diagnostic::{Diagnostic, Origin, Severity};
 
 /// `Diagnostic[]` of `types.d.ts` as JSON.
@@ -79,6 +79,17 @@ pub fn gouges_json(gouges: &[Gouge], numbering: &Numbering) -> String {
         );
         object.point("at", *at);
         object.number("depth", *depth);
+        write_segments(object, segments, numbering);
+    })
+}
+
+/// `Uncut[]` of `types.d.ts` as JSON, with the number of vertices in the place of each outline.
+#[must_use]
+pub fn uncut_json(uncut: &[Uncut], numbering: &Numbering) -> String {
+    list(uncut, |object, region| {
+        let Uncut { outline, area, segments } = region;
+        object.number("vertices", outline.len() as f64);
+        object.number("area", *area);
         write_segments(object, segments, numbering);
     })
 }

@@ -9,6 +9,13 @@ import { unpackPolylines } from "./polylines.js";
 /** @typedef {import("./lifecycle.js").Glue} Glue */
 /** @typedef {import("./g41.js").ToolPathHandle} Raw */
 
+/**
+ * Runs a call with what a path holds, for `check` alone.
+ *
+ * @type {<R>(path: ToolPath, work: (raw: Raw, glue: Glue) => R) => R}
+ */
+export let useToolPath;
+
 /** @implements {Face} */
 export class ToolPath {
   /** @type {Handle<Raw>} */
@@ -21,6 +28,12 @@ export class ToolPath {
   #diagnostics;
   /** @type {Face["gouges"] | undefined} */
   #gouges;
+  /** @type {Face["uncut"] | undefined} */
+  #uncut;
+
+  static {
+    useToolPath = (path, work) => path.#handle.use(work);
+  }
 
   /** @param {(glue: Glue) => Raw} make */
   constructor(make) {
@@ -45,6 +58,11 @@ export class ToolPath {
   get gouges() {
     this.#gouges ??= JSON.parse(this.#handle.use((raw) => raw.gouges()));
     return /** @type {Face["gouges"]} */ (this.#gouges);
+  }
+
+  get uncut() {
+    this.#uncut ??= this.#handle.use((raw) => unpackUncut(raw.uncut(), raw.outlines()));
+    return this.#uncut;
   }
 
   records() {
@@ -102,4 +120,22 @@ export class ToolPath {
   [Symbol.dispose]() {
     this.#handle.dispose();
   }
+}
+
+/**
+ * Puts regions and their outlines together.
+ *
+ * @param {string} json the regions, with the number of vertices in the place of each outline
+ * @param {Float64Array} outlines one after the other
+ * @returns {Face["uncut"]}
+ */
+function unpackUncut(json, outlines) {
+  /** @type {(Omit<Face["uncut"][number], "outline"> & { vertices: number })[]} */
+  const regions = JSON.parse(json);
+  let from = 0;
+  return regions.map(({ vertices, ...region }) => {
+    const outline = outlines.slice(from, from + 2 * vertices);
+    from += 2 * vertices;
+    return { outline, ...region };
+  });
 }

@@ -7,7 +7,7 @@ use super::move_records::{move_records, per_second};
 use super::numbering::Numbering;
 use super::polylines::Polylines;
 use super::polylines_handle::PolylinesHandle;
-use super::report::{diagnostics_json, gouges_json, transitions_json};
+use super::report::{diagnostics_json, gouges_json, transitions_json, uncut_json};
 use crate::contour::ToolPath;
 use crate::program::{EmitOptions, Emitted, Target, emit};
 
@@ -20,6 +20,11 @@ pub struct ToolPathHandle {
 }
 
 impl ToolPathHandle {
+    /// What it holds.
+    pub(super) fn path(&self) -> &ToolPath {
+        &self.path
+    }
+
     /// Holds a path whose segments are numbered so.
     pub(super) fn new(path: ToolPath, numbering: Numbering) -> Self {
         Self { path, numbering }
@@ -50,6 +55,19 @@ impl ToolPathHandle {
     #[must_use]
     pub fn gouges(&self) -> String {
         gouges_json(&self.path.gouges, &self.numbering)
+    }
+
+    /// `uncut` as JSON, its outlines apart.
+    #[must_use]
+    pub fn uncut(&self) -> String {
+        uncut_json(&self.path.uncut, &self.numbering)
+    }
+
+    /// The outlines of `uncut`, one after the other: `x0, y0, x1, y1, …`.
+    #[must_use]
+    pub fn outlines(&self) -> Vec<f64> {
+        let outlines = self.path.uncut.iter().flat_map(|region| &region.outline);
+        outlines.flat_map(glam::DVec2::to_array).collect()
     }
 
     /// `polylines` within `tolerance` [mm].

@@ -287,8 +287,18 @@ export interface CompensationOptions {
    * corner, `"perpendicular"` goes straight to the end of the first offset. Default `"textbook"`.
    */
   lead?: "textbook" | "perpendicular";
-  /** What becomes of gouges: they are reported. Only `"report"` in this version. */
-  gouge?: "report";
+  /**
+   * What becomes of places where the tool does not fit. Default `"report"`.
+   *
+   * - `"report"`: the path is as a control without a look-ahead would cut it, and `gouges` tells
+   *   where it cuts too deep
+   * - `"avoid"`: the path leaves out what would gouge, looked at the whole contour: its distance
+   *   from every point of it is at least the radius − `tolerance`, leads apart; `uncut` tells what it
+   *   does not reach. It may fall into several pieces. Splines are offset exactly, whatever `spline`
+   *   says
+   * - `"stop"`: as `"report"`, but a path that gouges is empty
+   */
+  gouge?: "report" | "avoid" | "stop";
   /**
    * Turns that are not a corner, up to this angle [rad]; `"auto"` takes those whose gap is at most
    * a tenth of the tolerance. Default `"auto"`.
@@ -314,6 +324,41 @@ export interface ProgramOptions extends CompensationOptions {
   /** Radius of every tool that `tools` does not list [mm]. */
   radius?: number;
 }
+
+/** Options of `check` for contours. */
+export interface ContourCheckOptions {
+  /** Tool radius [mm]; required unless the contours name it, all the same one. */
+  radius?: number;
+  /** Cuts of at most this depth are none [mm]. Default 0.001. */
+  tolerance?: number;
+}
+
+/** Options of `check` for programs. */
+export interface ProgramCheckOptions {
+  /** Tools by their number, the D word or else the T word. */
+  tools?: Readonly<Record<number, { radius: number }>>;
+  /** Radius of every tool that `tools` does not list [mm]. */
+  radius?: number;
+  /** Cuts of at most this depth are none [mm]. Default 0.001. */
+  tolerance?: number;
+}
+
+/**
+ * The independent judge: where a path comes nearer than radius − tolerance to any point of the
+ * contours that it is of. It shares no code with `compensate`, and asks nothing but distances; free
+ * moves and moves along z are not judged, leads are.
+ *
+ * Several contours are one part: the whole path is held against each. In a program each contour is
+ * held against the moves of its own blocks, and one whose tool has no radius against none.
+ *
+ * @throws {G41Error} `"bad-argument"` (also for a radius that nothing names), `"disposed"`
+ */
+export function check(program: Program, path: ToolPath, options?: ProgramCheckOptions): Gouge[];
+export function check(
+  contour: Contour | readonly Contour[] | ContourRecords,
+  path: ToolPath,
+  options?: ContourCheckOptions,
+): Gouge[];
 
 /**
  * The path of the tool centre. Nothing reachable gives an empty path and diagnostics, never an
@@ -403,6 +448,19 @@ export interface Gouge {
   segments: Origin[];
 }
 
+/** Material that should go but that the tool cannot reach. */
+export interface Uncut {
+  /**
+   * The vertices of its outline: `x0, y0, x1, y1, …`, along the contour, and back along the tool
+   * where it comes nearest; the last is followed by the first.
+   */
+  outline: Float64Array;
+  /** [mm²] */
+  area: number;
+  /** The blocks or segments that the tool does not reach all of. */
+  segments: Origin[];
+}
+
 /** How code is written. */
 export interface GcodeOptions {
   /** For whom: plain G0, G1, G2 and G3, as grbl and every other controller reads them. */
@@ -437,8 +495,10 @@ export class ToolPath {
   readonly transitions: Transition[];
   /** What was found on the way; for a program, what was found while reading it comes first. */
   readonly diagnostics: Diagnostic[];
-  /** Local gouges of the path. */
+  /** Where the path cuts too deep; with `gouge: "stop"` where it would. */
   readonly gouges: Gouge[];
+  /** What the tool cannot reach, with `gouge: "avoid"`. */
+  readonly uncut: Uncut[];
   /**
    * The vertices `x0, y0, x1, y1, …` of a path in one piece, rapid moves apart; empty for an empty
    * path.

@@ -1,7 +1,9 @@
-//! Where stages meet: a program and its tools become one tool path.
+//! Where stages meet: a program and its tools become one tool path, and a path is judged.
 
+mod judge;
 mod program_path;
 mod tools;
 
+pub use judge::check_program;
 pub use program_path::compensate_program;
 pub use tools::Tools;

@@ -115,10 +115,7 @@ impl Course {
 
     /// The tool of a contour; one without radius where it is not known.
     fn tool(&mut self, programmed: &ProgrammedContour, tools: &Tools, origin: Origin) -> Tool {
-        let radius = match programmed.radius {
-            RadiusSource::Given(radius) => Some(radius),
-            RadiusSource::Tool(number) => tools.radius(number),
-        };
+        let radius = tools.radius_of(programmed.radius);
         let known = radius.and_then(|radius| Tool::new(radius, programmed.side));
         known.unwrap_or_else(|| {
             let message = match programmed.radius {

@@ -1,5 +1,7 @@
 //! The tools that a program calls by number.
 
+use crate::program::RadiusSource;
+
 /// Radii of tools by their number.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Tools {
@@ -14,6 +16,15 @@ impl Tools {
     #[must_use]
     pub fn all(radius: f64) -> Self {
         Self { radii: Vec::new(), default_radius: Some(radius) }
+    }
+
+    /// The radius that a contour asks for [mm], if it is known.
+    #[must_use]
+    pub fn radius_of(&self, source: RadiusSource) -> Option<f64> {
+        match source {
+            RadiusSource::Given(radius) => Some(radius),
+            RadiusSource::Tool(number) => self.radius(number),
+        }
     }
 
     /// Radius of a tool [mm], if it is known.

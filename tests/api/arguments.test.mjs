@@ -1,7 +1,16 @@
 // Every wrong argument is refused with a code, and with the path of what is wrong.
 import { test } from "node:test";
 
-import { compensate, flatten, left, parseProgram, part, program, throwsCode } from "./sample.mjs";
+import {
+  check,
+  compensate,
+  flatten,
+  left,
+  parseProgram,
+  part,
+  program,
+  throwsCode,
+} from "./sample.mjs";
 
 const withSegment = (segment) => ({ start: [0, 0], segments: [...part.segments, segment] });
 const line = { kind: "line", to: [1, 1] };
@@ -110,6 +119,15 @@ test("options for contours", () => {
     [{ ...left, tangentBand: 4 }, "options.tangentBand"],
     [{ ...left, tangentBand: "wide" }, "options.tangentBand"],
     [{ ...left, profile: "iso" }, "options.profile"],
+    [{ ...left, passes: 0 }, "options.passes"],
+    [{ ...left, passes: 1.5 }, "options.passes"],
+    [{ ...left, passes: 1e7 }, "options.passes"],
+    [{ ...left, passes: "many" }, "options.passes"],
+    [{ ...left, stepover: 0 }, "options.stepover"],
+    [{ ...left, stepover: "1" }, "options.stepover"],
+    [{ ...left, gouge: "avoid", passes: 2 }, "options.stepover"],
+    [{ ...left, passes: 2, stepover: 1 }, "options.gouge"],
+    [{ ...left, gouge: "stop", passes: "all", stepover: 1 }, "options.gouge"],
     [{ ...left, tools: {} }, "options.tools"],
     [{ ...left, Radius: 3 }, "options.Radius"],
   ]) {
@@ -135,17 +153,43 @@ test("options for programs", () => {
   throwsCode(() => parseProgram("", { dialect: 1 }), "bad-argument", "options.dialect");
 });
 
+test("options and path of the judge", () => {
+  const path = compensate(part, left);
+  const read = parseProgram(program);
+  for (const [what, options, place] of [
+    [part, undefined, "options.radius"],
+    [part, null, "options"],
+    [part, { radius: "3" }, "options.radius"],
+    [part, { radius: 3, tolerance: 0 }, "options.tolerance"],
+    [part, { radius: 3, side: "left" }, "options.side"],
+    [part, { radius: 3, tools: {} }, "options.tools"],
+    [
+      [
+        { ...part, radius: 3 },
+        { ...part, radius: 4 },
+      ],
+      {},
+      "options.radius",
+    ],
+    [[{ ...part, radius: 3 }, part], {}, "options.radius"],
+    [{ ...part, start: [0] }, { radius: 3 }, "start"],
+    [read, { side: "left" }, "options.side"],
+    [read, { tools: { 1: 3 } }, "options.tools[1]"],
+    [read, { tolerance: "fine" }, "options.tolerance"],
+  ]) {
+    throwsCode(() => check(what, path, options), "bad-argument", place);
+  }
+  for (const wrong of [undefined, read, path.moves, path.records()]) {
+    throwsCode(() => check(part, wrong, { radius: 3 }), "bad-argument", "path");
+  }
+});
+
 test("what a later version will have is named as such", () => {
   for (const option of [
-    { gouge: "avoid" },
-    { gouge: "stop" },
     { profile: "linuxcnc" },
     { profile: "sinumerik" },
     { lead: "intersection" },
     { lead: "extra-move" },
-    { passes: 2 },
-    { passes: "all" },
-    { stepover: 1 },
   ]) {
     const path = `options.${Object.keys(option)[0]}`;
     throwsCode(() => compensate(part, { ...left, ...option }), "not-supported", path);
