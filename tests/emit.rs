@@ -6,7 +6,7 @@ use std::f64::consts::TAU;
 
 use g41::compensation::Options;
 use g41::contour::{AuxiliaryWords, Move, MoveCurve, Role, ToolPath};
-use g41::diagnostic::Origin;
+use g41::diagnostic::{Origin, Severity};
 use g41::geometry::{Arc, Cubic, Line};
 use g41::program::{Dialect, EmitOptions, Emitted, Program, emit, interpret};
 use g41::simulation::{Tools, compensate_program};
@@ -236,12 +236,70 @@ fn a_path_of_a_contour_begins_with_a_rapid_move_to_its_start() {
 }
 
 #[test]
-fn pieces_apart_are_joined_by_a_rapid_move_and_reported() {
+fn pieces_apart_are_not_crossed_where_no_height_is_known() {
+    let mut path = apart(-2.0);
+    path.words = [(0, "M3"), (2, "M8"), (3, "M30")]
+        .map(|(before, words)| AuxiliaryWords { before, words: words.into(), origin: block(1) })
+        .into();
+    let written = write(&path);
+    let expected = ["M3", "G0 X0 Y0", "G1 Z-2 F600", "X5", "M8", "M30"];
+    assert_eq!(blocks(&written.text), expected, "the moves end before the jump, the words do not");
+    let [found] = &written.diagnostics[..] else { panic!("one finding: {written:?}") };
+    assert_eq!((found.code, found.severity), ("no-clearance", Severity::Error));
+    assert_eq!(found.at, Some(DVec2::new(20.0, 0.0)), "where it would go");
+    assert!(found.message.contains("from X5 Y0 to X20 Y0"), "{}", found.message);
+}
+
+#[test]
+fn pieces_apart_are_crossed_at_the_height_given() {
+    let at = |clearance| EmitOptions { clearance: Some(clearance), ..EmitOptions::default() };
+    let written = emit(&apart(-2.0), &at(3.0));
+    let [across, up] = ["X20 Y0", "G0 Z3"];
+    let expected = [up, "X0 Y0", "G1 Z-2 F600", "X5", up, across, "G1 Z-2", "X25"];
+    assert_eq!(blocks(&written.text), expected, "{written:?}");
+    assert!(written.diagnostics.is_empty(), "{written:?}");
+    // Straight across, where it is asked for; never down on the way.
+    for height in [-2.0, -50.0] {
+        let written = emit(&apart(-2.0), &at(height));
+        let expected = ["G0 X0 Y0", "G1 Z-2 F600", "X5", "G0 X20 Y0", "G1 X25"];
+        assert_eq!(blocks(&written.text), expected, "{height}: {written:?}");
+    }
+}
+
+#[test]
+fn pieces_apart_are_crossed_where_the_program_makes_rapid_moves() {
+    // It comes at 8 mm, plunges at 100 mm/min, and cuts two pieces at different depths.
+    let mut path = path_of("G0 X0 Y0 Z8\nG1 Z-1 F100\nX5 F600\n");
+    let line = Line::new(DVec2::new(20.0, 3.0), DVec2::new(25.0, 3.0)).expect("a line");
+    path.moves.push(feed_move(MoveCurve::Line(line), [-3.0; 2]));
+    let written = write(&path);
+    assert!(written.diagnostics.is_empty(), "{written:?}");
+    let text = &written.text;
+    let expected = ["X5 Y0 F600", "G0 Z8", "X20 Y3", "G1 Z-3 F100", "X25 F600"];
+    assert_eq!(blocks(text)[blocks(text).len() - 5..], expected, "{text}");
+    // A small controller of its own sees it: nothing below 8 mm between the pieces.
+    let crossing = run(text).into_iter().filter(|[x, ..]| (5.001..19.999).contains(x));
+    assert!(crossing.clone().count() > 100, "it crosses");
+    assert!(crossing.clone().all(|[.., z]| z == 8.0), "{text}");
+}
+
+#[test]
+fn a_program_whose_rapid_moves_are_no_higher_than_its_cuts_tells_no_height() {
+    let mut path = path_of("G0 X1 Y1\nG1 X5 F600\n");
+    path.moves.append(&mut apart(0.0).moves);
+    let written = write(&path);
+    assert_eq!(written.diagnostics[0].code, "no-clearance", "{written:?}");
+    assert!(!written.text.contains("X20"), "{}", written.text);
+}
+
+/// Two pieces of 5 mm that are 15 mm apart, at one height.
+fn apart(z: f64) -> ToolPath {
     let line = |x: f64| Line::new(DVec2::new(x, 0.0), DVec2::new(x + 5.0, 0.0)).expect("a line");
-    let moves = [0.0, 20.0].map(|x| feed_move(MoveCurve::Line(line(x)), [0.0; 2])).to_vec();
-    let written = write(&ToolPath { moves, ..ToolPath::default() });
-    assert_eq!(blocks(&written.text), ["G1 X5 Y0 F600", "G0 X20 Y0", "G1 X25"], "{written:?}");
-    assert_eq!(written.diagnostics[0].code, "rapid-between-pieces", "{written:?}");
+    let piece = |x: f64| {
+        let origin = Origin::Segment(0);
+        Move { origin, ..feed_move(MoveCurve::Line(line(x)), [z; 2]) }
+    };
+    ToolPath { moves: [0.0, 20.0].map(piece).to_vec(), ..ToolPath::default() }
 }
 
 #[test]

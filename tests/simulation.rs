@@ -2,11 +2,11 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use g41::compensation::{GougePolicy, Options};
+use g41::compensation::{CornerStyle, GougePolicy, Options};
 use g41::contour::{Move, MoveCurve, Role, ToolPath};
 use g41::diagnostic::Severity;
 use g41::program::{Dialect, EmitOptions, Item, Program, emit, interpret};
-use g41::simulation::{Tools, compensate_program};
+use g41::simulation::{Tools, check_program, compensate_program};
 use glam::DVec2;
 
 const POCKET: &str = include_str!("programs/pocket.ngc");
@@ -257,4 +257,53 @@ fn one_gouge_stops_the_whole_program() {
     assert_eq!(stopped.diagnostics.last().map(|d| d.code), Some("stopped"));
     assert!(!with(4.0, GougePolicy::Report).moves.is_empty(), "reported only");
     assert_eq!(with(2.0, GougePolicy::Stop), with(2.0, GougePolicy::Report), "a tool that fits");
+}
+
+fn avoided(text: &str, radius: f64) -> ToolPath {
+    let read = interpret(&Program::parse(text, Dialect::Auto));
+    let options = Options { gouge: GougePolicy::Avoid, ..Options::default() };
+    compensate_program(&read, &Tools::all(radius), &options)
+}
+
+#[test]
+fn every_program_avoids_what_it_need_not_cut_and_keeps_its_frame() {
+    for text in ALL {
+        let read = interpret(&Program::parse(text, Dialect::Auto));
+        for radius in [0.5, 2.0, 6.0] {
+            let path = avoided(text, radius);
+            let tools = Tools::all(radius);
+            let leads = path.diagnostics.iter().filter(|d| d.code == "lead-gouge").count();
+            let gouges = check_program(&read, &path, &tools, 1e-3);
+            assert!(gouges.len() <= leads, "radius {radius}: {gouges:?}\n{:?}", path.diagnostics);
+            let frame = |path: &ToolPath| {
+                let free = path.moves.iter().filter(|step| step.role == Role::Free);
+                (free.count(), path.words.iter().map(|w| w.words.clone()).collect::<Vec<_>>())
+            };
+            assert_eq!(frame(&path), frame(&path_of(text, radius)), "radius {radius}: {text}");
+        }
+    }
+}
+
+/// Two rooms of 20 by 20 mm, a corridor of 6 by 10 mm between them; led in to the first.
+const ROOMS: &str = "G0 Z8\nG0 X10 Y10\nG1 Z-2 F100\nG1 G41 D1 X10 Y0 F400\nX20\nY7\nX30\nY0\nX50\n\
+     Y20\nX30\nY13\nX20\nY20\nX0\nY0\nX10\nG40\nG0 Z8\nM30\n";
+
+#[test]
+fn a_room_behind_a_corridor_is_crossed_to_above_the_part() {
+    let read = interpret(&Program::parse(ROOMS, Dialect::Auto));
+    let options =
+        Options { gouge: GougePolicy::Avoid, corner: CornerStyle::Arc, ..Options::default() };
+    let path = compensate_program(&read, &Tools::all(4.0), &options);
+    assert_eq!(check_program(&read, &path, &Tools::all(4.0), 1e-3), []);
+    let written = emit(&path, &EmitOptions::default());
+    assert_eq!(written.diagnostics, [], "{}", written.text);
+    // Down twice as the program goes down, up between.
+    assert_eq!(written.text.matches("G1 Z-2 F100").count(), 2, "{}", written.text);
+    assert_eq!(written.text.matches("F400").count(), 2, "{}", written.text);
+    let flat = ROOMS.replace("G0 Z8\n", "");
+    let read = interpret(&Program::parse(&flat, Dialect::Auto));
+    let path = compensate_program(&read, &Tools::all(4.0), &options);
+    let written = emit(&path, &EmitOptions::default());
+    let codes: Vec<_> = written.diagnostics.iter().map(|d| d.code).collect();
+    assert_eq!(codes, ["no-clearance"], "it comes at the height 0 only: {}", written.text);
 }

@@ -21,7 +21,7 @@ const programKeys = new Set(["tools", "radius", ...settingKeys]);
 const contourCheckKeys = new Set(["radius", "tolerance"]);
 const programCheckKeys = new Set(["tools", ...contourCheckKeys]);
 const parseKeys = new Set(["dialect", "profile"]);
-const gcodeKeys = new Set(["target", "tolerance", "feed"]);
+const gcodeKeys = new Set(["target", "tolerance", "feed", "clearance"]);
 const toolKeys = new Set(["radius"]);
 
 /** @type {(key: string) => Where} */
@@ -118,6 +118,7 @@ export function gcodeOptions(given = {}) {
   return {
     tolerance: optional(options.tolerance, toleranceAt, at("tolerance")) ?? defaultTolerance,
     feed: optional(options.feed, positive, at("feed")),
+    clearance: optional(options.clearance, finite, at("clearance")),
   };
 }
 

@@ -104,9 +104,9 @@ export class ToolPath {
 
   /** @param {import("./types.d.ts").GcodeOptions} [options] */
   emit(options) {
-    const { tolerance: within, feed } = gcodeOptions(options);
+    const { tolerance: within, feed, clearance } = gcodeOptions(options);
     const [text, diagnostics] = /** @type {[string, string]} */ (
-      this.#handle.use((raw) => raw.emit(within, feed))
+      this.#handle.use((raw) => raw.emit(within, feed, clearance))
     );
     return { text, diagnostics: JSON.parse(diagnostics) };
   }

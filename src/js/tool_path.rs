@@ -79,11 +79,11 @@ impl ToolPathHandle {
     }
 
     /// `[text, diagnostics as JSON]` of the path as a program, within `tolerance` [mm], with
-    /// `feed` [mm/min] where none is programmed.
+    /// `feed` [mm/min] where none is programmed, and `clearance` [mm] between pieces.
     #[must_use]
-    pub fn emit(&self, tolerance: f64, feed: Option<f64>) -> Vec<String> {
+    pub fn emit(&self, tolerance: f64, feed: Option<f64>, clearance: Option<f64>) -> Vec<String> {
         let feed = feed.map(per_second);
-        let options = EmitOptions { target: Target::Grbl, tolerance, feed };
+        let options = EmitOptions { target: Target::Grbl, tolerance, feed, clearance };
         let Emitted { text, diagnostics } = emit(&self.path, &options);
         vec![text, diagnostics_json(&diagnostics, &self.numbering)]
     }

@@ -469,6 +469,16 @@ export interface GcodeOptions {
   tolerance?: number;
   /** Feed of moves for which none is programmed [mm/min]. */
   feed?: number;
+  /**
+   * Height at which the tool crosses from one piece of the path to the next, and comes to the first
+   * piece of contours [mm]: it rises to it, crosses at rapid speed, and goes down at the feed at
+   * which the program last went straight down, else at that of the move. At the height of the
+   * pieces it crosses straight, as a laser may.
+   *
+   * Default: the highest at which the path itself has rapid moves. Where that is not above both
+   * pieces, the written program ends before the crossing, with the error `"no-clearance"`.
+   */
+  clearance?: number;
 }
 
 /** A program as written. */
@@ -539,7 +549,10 @@ export class ToolPath {
    * @throws {G41Error} `"bad-argument"`, `"not-supported"` (another target)
    */
   gcode(options?: GcodeOptions): string;
-  /** The same with what was found on the way: feeds that are missing, jumps between pieces. */
+  /**
+   * The same with what was found on the way: feeds that are missing, and pieces between which no
+   * height is known to cross at.
+   */
   emit(options?: GcodeOptions): Emitted;
   /** Gives the memory back now; the handle cannot be used after it. */
   [Symbol.dispose](): void;

@@ -3,16 +3,18 @@
 //! Coordinates are rounded first and everything else follows from what was written: the centre of
 //! an arc is given from its start as written, so that rounding does not add up and no control
 //! finds its radii to disagree. Cubics become arcs and lines within a tolerance, over as long a
-//! run of them as possible. G41, G42, D and H words have done their work and do not appear.
+//! run of them as possible. G41, G42, D and H words have done their work and do not appear. Between
+//! pieces that do not follow each other the tool rises, crosses and comes down again (`crossing`).
 
 use std::f64::consts::PI;
 
 use glam::DVec2;
 
 use super::block_writer::{BlockWriter, SCALE, units};
+use super::crossing::Crossing;
 use crate::contour::{Move, MoveCurve, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin};
-use crate::geometry::{Arc, ArcOrLine, Cubic, MIN_LENGTH, fit_arcs, sin_cos};
+use crate::geometry::{Arc, ArcOrLine, Cubic, Decimal, MIN_LENGTH, fit_arcs, sin_cos};
 
 /// For whom a program is written.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -31,11 +33,16 @@ pub struct EmitOptions {
     pub tolerance: f64,
     /// Feed of moves for which none is programmed [mm/s].
     pub feed: Option<f64>,
+    /// Height at which the tool crosses from one piece of the path to the next [mm]. At the height
+    /// of the pieces it crosses straight. Without it, it is the highest at which the path itself has
+    /// rapid moves; where that is not above the pieces, the program ends before the first crossing,
+    /// with an error.
+    pub clearance: Option<f64>,
 }
 
 impl Default for EmitOptions {
     fn default() -> Self {
-        Self { target: Target::default(), tolerance: 0.001, feed: None }
+        Self { target: Target::default(), tolerance: 0.001, feed: None, clearance: None }
     }
 }
 
@@ -70,6 +77,7 @@ pub fn emit(path: &ToolPath, options: &EmitOptions) -> Emitted {
         out: BlockWriter::new("G21 G90 G17 G94"),
         tolerance: options.tolerance.max(MIN_TOLERANCE),
         feed: options.feed,
+        crossing: Crossing::new(options.clearance, &path.moves),
         at: [0.0; 3],
         diagnostics: Vec::new(),
     };
@@ -82,7 +90,12 @@ pub fn emit(path: &ToolPath, options: &EmitOptions) -> Emitted {
         let Some(first) = path.moves.get(i) else { break };
         let until = words.peek().map_or(path.moves.len(), |words| words.before);
         let run = cubic_run(path.moves.get(i..until).unwrap_or_default());
-        emitter.approach(first, i == 0);
+        if i == 0 {
+            emitter.begin(first);
+        } else if !emitter.cross(first) {
+            i = path.moves.len();
+            continue;
+        }
         if run.len() > 1 {
             emitter.cubics(&run, first, first.z);
             i += run.len();
@@ -91,6 +104,7 @@ pub fn emit(path: &ToolPath, options: &EmitOptions) -> Emitted {
             i += 1;
         }
         if let Some(last) = path.moves.get(i - 1) {
+            emitter.crossing.passed(last);
             emitter.at = last.curve.end().extend(last.z[1]).to_array();
         }
     }
@@ -125,33 +139,66 @@ struct Emitter {
     out: BlockWriter,
     tolerance: f64,
     feed: Option<f64>,
+    crossing: Crossing,
     /// Where the tool is [mm], not rounded.
     at: [f64; 3],
     diagnostics: Vec<Diagnostic>,
 }
 
 impl Emitter {
-    /// Goes to where `next` starts, if the tool is not there.
-    fn approach(&mut self, next: &Move, is_first: bool) {
-        let start = next.curve.start();
-        let away = start.extend(next.z[0]).distance(self.at.into()) > 1.0 / SCALE;
-        // A program says itself how the tool comes to its first move; a plain contour does not.
-        let unsaid = is_first && matches!(next.origin, Origin::Segment(_));
-        if !away && !unsaid {
-            return;
+    /// Goes to where the path starts. A program says itself how the tool comes to its first move; a
+    /// plain contour does not.
+    fn begin(&mut self, first: &Move) {
+        if matches!(first.origin, Origin::Segment(_)) || self.is_away(first) {
+            let start = first.z[0];
+            self.go(first, self.crossing.given(start).unwrap_or(start));
         }
-        if !is_first {
-            self.report_once(
-                Diagnostic::warning("rapid-between-pieces", "the path goes on elsewhere")
+    }
+
+    /// Crosses to where `next` starts, if the tool is not there; tells whether it is now.
+    fn cross(&mut self, next: &Move) -> bool {
+        if !self.is_away(next) {
+            return true;
+        }
+        let [from_x, from_y, from_z] = self.at;
+        let (start, z) = (next.curve.start(), next.z[0]);
+        let Some(height) = self.crossing.height(from_z, z) else {
+            let [from_x, from_y, x, y] = [from_x, from_y, start.x, start.y].map(Decimal::of);
+            let message = format!(
+                "the path goes on elsewhere, from X{from_x} Y{from_y} to X{x} Y{y}, and no height is known at which the tool can cross"
+            );
+            self.diagnostics.push(
+                Diagnostic::error("no-clearance", message)
                     .with_origin(next.origin)
                     .with_point(start)
-                    .with_hint(
-                        "a rapid move at the same height stands between; see that it is free",
-                    ),
+                    .with_hint("give a clearance height, or let the program make a rapid move above the part; until then the written program ends before this"),
             );
+            return false;
+        };
+        self.go(next, height);
+        true
+    }
+
+    /// Goes to the start of `next`: up to a height where the tool is, across, and down.
+    fn go(&mut self, next: &Move, height: f64) {
+        let (start, z) = (units(next.curve.start()), units_of(next.z[0]));
+        let below = units_of(self.at[2]);
+        let height = units_of(height).max(below);
+        if height > below {
+            self.out.rapid(self.out.position(), height);
         }
         self.out.state_position();
-        self.out.rapid(units(start), units_of(next.z[0]));
+        self.out.rapid(start, height);
+        if next.rapid {
+            self.out.rapid(start, z);
+        } else if height > z {
+            self.set_feed(&Move { feed: self.crossing.plunge(next), ..*next });
+            self.out.line(start, z);
+        }
+    }
+
+    fn is_away(&self, next: &Move) -> bool {
+        next.curve.start().extend(next.z[0]).distance(self.at.into()) > 1.0 / SCALE
     }
 
     fn one(&mut self, next: &Move) {

@@ -8,6 +8,7 @@ mod auxiliary;
 mod block;
 mod block_writer;
 mod course;
+mod crossing;
 mod emit;
 mod g_words;
 mod interpret;

@@ -4,9 +4,10 @@ use glam::DVec2;
 
 use super::Tools;
 use crate::compensation::{GougePolicy, Options, compensate_all, refuse_gouges};
-use crate::contour::{AuxiliaryWords, Move, MoveCurve, Role, Tool, ToolPath};
+use crate::contour::{AuxiliaryWords, Contour, Move, MoveCurve, Role, Tool, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Decimal, Line, MIN_LENGTH};
+use crate::gouge::check;
 use crate::program::{Interpretation, Item, ProgrammedContour, RadiusSource};
 
 /// The path of the tool centre through a whole program, rapid moves and words included, with
@@ -88,6 +89,7 @@ impl Course {
     fn contour(&mut self, programmed: &ProgrammedContour, tools: &Tools, options: &Options) {
         let origin = Origin::Block { line: programmed.blocks[0], number: None, column: None };
         let tool = self.tool(programmed, tools, origin);
+        let before = self.path.moves.len();
         let mut compensated = compensate_all(&[(&programmed.contour, tool)], options);
         let follows_a_contour = self.path.moves.last().is_some_and(|last| last.role != Role::Free);
         if let Some(first) = compensated.moves.first_mut()
@@ -102,7 +104,51 @@ impl Course {
                 _ => self.join(at, first, Role::Transition),
             }
         }
+        let own = compensated.moves.len();
         self.path.append(compensated);
+        if options.gouge == GougePolicy::Avoid {
+            let joins = self.path.moves.len() - own;
+            self.judge_leads(&programmed.contour, [before, joins], tool, options);
+        }
+    }
+
+    /// Says where a way to or from an avoided path cuts: leads are as programmed, and the tool may
+    /// have been `before` where it needs a `join` to the first piece.
+    fn judge_leads(
+        &mut self,
+        contour: &Contour,
+        [before, own]: [usize; 2],
+        tool: Tool,
+        options: &Options,
+    ) {
+        for index in before..self.path.moves.len() {
+            let step = self.path.moves[index];
+            let is_lead = matches!(step.role, Role::LeadIn | Role::LeadOut);
+            if !is_lead && index >= own {
+                continue;
+            }
+            let alone = ToolPath { moves: vec![step], ..ToolPath::default() };
+            let gouges = check(contour, &alone, tool.radius(), options.usable_tolerance());
+            for gouge in gouges {
+                let way = match step.role {
+                    Role::LeadOut => "lead-out from",
+                    _ => "way to",
+                };
+                let message = format!(
+                    "the {way} what the tool reaches cuts {} mm too deep",
+                    Decimal::of(gouge.depth)
+                );
+                self.path.diagnostics.push(
+                    Diagnostic::error("lead-gouge", message)
+                        .with_origin(step.origin)
+                        .with_point(gouge.at)
+                        .with_depth(gouge.depth)
+                        .with_segments(gouge.segments.iter().copied())
+                        .with_hint("begin and end the contour where the tool fits"),
+                );
+                self.path.gouges.push(gouge);
+            }
+        }
     }
 
     /// A straight move to where `next` starts.

@@ -208,6 +208,8 @@ test("arguments of methods", () => {
   throwsCode(() => parseProgram(program).polylines(-1), "bad-argument", "tolerance");
   throwsCode(() => path.gcode({ tolerance: 0 }), "bad-argument", "options.tolerance");
   throwsCode(() => path.gcode({ feed: -5 }), "bad-argument", "options.feed");
+  throwsCode(() => path.gcode({ clearance: "5" }), "bad-argument", "options.clearance");
+  throwsCode(() => path.gcode({ clearance: Number.NaN }), "bad-argument", "options.clearance");
   throwsCode(() => path.gcode({ speed: 5 }), "bad-argument", "options.speed");
 });
 

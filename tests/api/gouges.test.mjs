@@ -33,6 +33,30 @@ G0 Z5
 M30
 `;
 
+/** Two rooms with a corridor 6 mm wide between them. */
+const rooms = {
+  start: [0, 0],
+  closed: true,
+  segments: [
+    ...[
+      [20, 0],
+      [20, 7],
+      [30, 7],
+      [30, 0],
+      [50, 0],
+    ],
+    ...[
+      [50, 20],
+      [30, 20],
+      [30, 13],
+      [20, 13],
+      [20, 20],
+      [0, 20],
+      [0, 0],
+    ],
+  ].map((to) => ({ kind: "line", to })),
+};
+
 /** Area inside an outline, positive counter-clockwise. */
 function area(outline) {
   let twice = 0;
@@ -89,29 +113,6 @@ test("stopped, there is no path but every reason", () => {
 });
 
 test("pieces of an avoided path are told apart, and it stays closed where it was", () => {
-  // Two rooms with a corridor 6 mm wide between them.
-  const rooms = {
-    start: [0, 0],
-    closed: true,
-    segments: [
-      ...[
-        [20, 0],
-        [20, 7],
-        [30, 7],
-        [30, 0],
-        [50, 0],
-      ],
-      ...[
-        [50, 20],
-        [30, 20],
-        [30, 13],
-        [20, 13],
-        [20, 20],
-        [0, 20],
-        [0, 0],
-      ],
-    ].map((to) => ({ kind: "line", to })),
-  };
   const path = compensate(rooms, { side: "left", radius: 4, corner: "arc", gouge: "avoid" });
   assert.deepEqual(check(rooms, path, { radius: 4 }), []);
   const { points, starts } = path.polylines();
@@ -173,4 +174,19 @@ test("in a program each stretch is avoided by itself, and its feeds and heights 
   const stopped = compensate(read, { ...options, gouge: "stop" });
   assert.deepEqual(stopped.moves, []);
   assert.equal(stopped.diagnostics.at(-1).code, "stopped");
+});
+
+test("between pieces the tool rises to a height that is known, and else does not cross", () => {
+  const path = compensate(rooms, { side: "left", radius: 4, corner: "arc", gouge: "avoid" });
+  const crossed = path.emit({ feed: 300, clearance: 5 });
+  assert.deepEqual(crossed.diagnostics, []);
+  const blocks = crossed.text.split("\n");
+  assert.deepEqual(blocks.slice(0, 5), ["G21 G90 G17 G94", "G0 Z5", "X4 Y4", "G1 Z0 F300", "X16"]);
+  assert.equal(blocks.filter((block) => block === "G0 Z5").length, 2, crossed.text);
+  const { text, diagnostics } = path.emit({ feed: 300 });
+  assert.deepEqual(
+    diagnostics.map(({ code, severity }) => [code, severity]),
+    [["no-clearance", "error"]],
+  );
+  assert.ok(crossed.text.length > text.length && !text.includes("X46"), "the first room only");
 });

@@ -1,0 +1,59 @@
+//! How the tool gets from one piece of a path to the next: up, across and down.
+//!
+//! Between two pieces lies what the tool must not touch, or they would be one. So it crosses at a
+//! height that is known to be free, and where none is known it does not cross at all.
+
+use crate::contour::{Move, MoveCurve};
+
+/// Heights nearer than this are one [mm]: the last digit written.
+const SAME_HEIGHT: f64 = 1e-4;
+
+/// What is known about crossing.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Crossing {
+    /// The height that the caller gave [mm].
+    given: Option<f64>,
+    /// The highest at which the program itself makes rapid moves, once it has said a height [mm].
+    programmed: Option<f64>,
+    /// The feed at which it last went straight down [mm/s].
+    plunge: Option<f64>,
+}
+
+impl Crossing {
+    pub(super) fn new(given: Option<f64>, moves: &[Move]) -> Self {
+        // Until the height first changes it is only assumed.
+        let stated = moves.iter().skip_while(|step| step.z[0] == step.z[1]);
+        let rapid = stated.filter(|step| step.rapid).map(|step| step.z[1]);
+        Self { given, programmed: rapid.reduce(f64::max), plunge: None }
+    }
+
+    /// The height at which the tool gets from one height to another [mm], if one is known.
+    ///
+    /// One that was given is taken at its word, though never below both. A program whose rapid moves
+    /// are no higher than its cuts says nothing about what lies between them.
+    pub(super) fn height(&self, from: f64, to: f64) -> Option<f64> {
+        let above = from.max(to);
+        match self.given {
+            Some(given) => Some(given.max(above)),
+            None => self.programmed.filter(|height| *height > above + SAME_HEIGHT),
+        }
+    }
+
+    /// The height that the caller gave, but not below `z` [mm].
+    pub(super) fn given(&self, z: f64) -> Option<f64> {
+        self.given.map(|given| given.max(z))
+    }
+
+    /// The feed at which the tool goes down where `next` begins [mm/s]: the program's own way down
+    /// goes slower into the material than along it.
+    pub(super) fn plunge(&self, next: &Move) -> Option<f64> {
+        self.plunge.or(next.feed)
+    }
+
+    /// Learns from a move that is made.
+    pub(super) fn passed(&mut self, step: &Move) {
+        if matches!(step.curve, MoveCurve::Vertical(_)) && !step.rapid && step.z[1] < step.z[0] {
+            self.plunge = step.feed.or(self.plunge);
+        }
+    }
+}
