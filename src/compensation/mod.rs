@@ -22,7 +22,7 @@ mod transition;
 mod type_points;
 
 pub use assemble::compensate;
-pub use avoid::avoid;
+pub use avoid::{avoid, avoid_all};
 pub use options::{
     CornerStyle, GougePolicy, LeadStyle, MIN_TOLERANCE, Options, Passes, SplineMethod, TangentBand,
 };

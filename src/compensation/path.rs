@@ -46,10 +46,15 @@ impl PathBuilder {
         }
     }
 
-    /// Appends one move of a piece of path that may start anywhere, at the height of its segment's
-    /// end.
-    pub(super) fn piece(&mut self, curve: MoveCurve, role: Role, attributes: &Attributes) {
-        self.push(curve, role, attributes, [attributes.z[1]; 2]);
+    /// Appends one move of a piece of path that may start anywhere, between two heights [mm].
+    pub(super) fn piece(
+        &mut self,
+        curve: MoveCurve,
+        role: Role,
+        attributes: &Attributes,
+        z: [f64; 2],
+    ) {
+        self.push(curve, role, attributes, z);
     }
 
     /// A straight move to `point`. If the tool is there already, only its height changes.

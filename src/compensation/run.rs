@@ -169,7 +169,7 @@ fn reversed(piece: &MoveCurve) -> MoveCurve {
 }
 
 /// The piece with its start moved by a rounding, its end kept.
-fn with_start(piece: &MoveCurve, start: DVec2) -> MoveCurve {
+pub(super) fn with_start(piece: &MoveCurve, start: DVec2) -> MoveCurve {
     let moved = match piece {
         MoveCurve::Line(line) => Line::new(start, line.end()).ok().map(MoveCurve::Line),
         MoveCurve::Arc(arc) if arc.is_full_circle() => {

@@ -1,76 +1,75 @@
-//! Stringing the arcs that the tool can follow together, in program order.
+//! Stringing the stretches that the tool can follow together, in program order.
 //!
 //! Where a strand becomes too near to the contour it crosses another one that comes out clear
 //! there: the tool changes over. So every end of a clear stretch is the start of another, and the
 //! stretches close up to loops, or to one path from the start to the end of an open contour.
 
-use super::cuts::{Arc, following};
-use super::strands::Piece;
+use super::cuts::{Stretch, following};
+use super::units::Workpiece;
 
-/// Arcs that follow each other.
+/// Stretches that follow each other.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Chain {
-    /// Indices of the arcs, in order.
-    pub(super) arcs: Vec<usize>,
+    /// Indices of the stretches, in order.
+    pub(super) stretches: Vec<usize>,
     /// Whether the last leads back to the first.
     pub(super) closed: bool,
 }
 
-/// The chains of the arcs that are `clear`, ordered by their first arc.
-pub(super) fn chains(pieces: &[Piece], arcs: &[Arc], clear: &[bool]) -> Vec<Chain> {
-    let mut starting: Vec<Vec<usize>> = Vec::new();
-    for (k, arc) in arcs.iter().enumerate() {
-        if let Some(place) = arc.start {
-            if starting.len() <= place {
-                starting.resize(place + 1, Vec::new());
+/// Nothing follows.
+const NONE: usize = usize::MAX;
+
+/// The chains of clear `stretches`, ordered by where they begin.
+pub(super) fn chains(work: &Workpiece, stretches: &[Stretch]) -> Vec<Chain> {
+    let (next, has_previous) = links(work, stretches);
+    let mut used = vec![false; stretches.len()];
+    let mut chains = Vec::new();
+    // Open chains from their starts; what is left are loops.
+    for open in [true, false] {
+        for first in 0..stretches.len() {
+            if used[first] || open && has_previous[first] {
+                continue;
             }
-            starting[place].push(k);
+            let mut chain = Chain { stretches: Vec::new(), closed: false };
+            let mut last = first;
+            while last != NONE && !used[last] {
+                used[last] = true;
+                chain.stretches.push(last);
+                last = next[last];
+            }
+            chain.closed = last == first;
+            chains.push(chain);
         }
     }
-    let successor = |k: usize, used: &[bool], first: usize| {
-        let free = |&n: &usize| clear[n] && (!used[n] || n == first);
-        let along = following(pieces, arcs, k).filter(free);
-        along.or_else(|| {
-            let place = arcs[k].end?;
-            starting.get(place)?.iter().copied().find(free)
-        })
-    };
-    let mut used = vec![false; arcs.len()];
-    let mut chains: Vec<Chain> = Vec::new();
-    for first in 0..arcs.len() {
-        if !clear[first] || used[first] {
-            continue;
-        }
-        let mut chain = Chain { arcs: vec![first], closed: false };
-        used[first] = true;
-        let mut last = first;
-        while let Some(next) = successor(last, &used, first) {
-            if next == first {
-                chain.closed = true;
-                break;
-            }
-            used[next] = true;
-            chain.arcs.push(next);
-            last = next;
-        }
-        // A chain begun in its middle is completed by the one that leads to it.
-        let continued = chains.iter().position(|later| {
-            !chain.closed && !later.closed && leads_to(pieces, arcs, last, later.arcs[0])
-        });
-        match continued {
-            Some(index) => {
-                let rest = chains.remove(index);
-                chain.arcs.extend(rest.arcs);
-                chain.closed = leads_to(pieces, arcs, chain.arcs[chain.arcs.len() - 1], first);
-                chains.insert(index, chain);
-            }
-            None => chains.push(chain),
-        }
-    }
+    chains.sort_unstable_by_key(|chain| chain.stretches[0]);
     chains
 }
 
-/// Whether arc `b` can follow arc `a`.
-fn leads_to(pieces: &[Piece], arcs: &[Arc], a: usize, b: usize) -> bool {
-    following(pieces, arcs, a) == Some(b) || (arcs[a].end.is_some() && arcs[a].end == arcs[b].start)
+/// For each stretch the one that follows it, and whether it follows one.
+fn links(work: &Workpiece, stretches: &[Stretch]) -> (Vec<usize>, Vec<bool>) {
+    let mut next: Vec<usize> =
+        (0..stretches.len()).map(|k| following(work, stretches, k).unwrap_or(NONE)).collect();
+    let mut has_previous = vec![false; stretches.len()];
+    for &to in next.iter().filter(|&&to| to != NONE) {
+        has_previous[to] = true;
+    }
+    // What starts at a crossing without following anything, by its crossing.
+    let mut starting: Vec<(u32, usize)> = Vec::new();
+    for (k, stretch) in stretches.iter().enumerate() {
+        if let Some(place) = stretch.start.filter(|_| !has_previous[k]) {
+            starting.push((place, k));
+        }
+    }
+    starting.sort_unstable();
+    for k in 0..stretches.len() {
+        if let Some(place) = stretches[k].end.filter(|_| next[k] == NONE) {
+            let from = starting.partition_point(|&(at, _)| at < place);
+            let mut here = starting[from..].iter().take_while(|&&(at, _)| at == place);
+            if let Some(&(_, to)) = here.find(|&&(_, to)| !has_previous[to]) {
+                has_previous[to] = true;
+                next[k] = to;
+            }
+        }
+    }
+    (next, has_previous)
 }

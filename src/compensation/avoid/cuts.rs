@@ -1,26 +1,32 @@
-//! Cutting the raw pieces where they cross each other or a fence.
+//! Cutting the raw pieces that need it where they cross each other or a fence.
 
 use glam::DVec2;
 
+use super::fences::each_fence;
 use super::index::BoxTree;
-use super::strands::Piece;
+use super::sieve::{Clearance, Fate};
+use super::tree::{Marks, OrderTree};
+use super::units::{Piece, Workpiece};
+use crate::compensation::Options;
 use crate::compensation::meet::meet;
-use crate::contour::MoveCurve;
 
 /// Crossings nearer than this are one [mm]: where two pieces follow each other a crossing is found
 /// on both.
-const SAME_PLACE: f64 = 1e-7;
+pub(super) const SAME_PLACE: f64 = 1e-7;
 
-/// Part of a piece between two cuts.
+/// Places examined on a stretch between two cuts.
+const EXAMINED: [f64; 3] = [0.5, 0.25, 0.75];
+
+/// A piece of raw path between two cuts.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Arc {
+pub(super) struct Stretch {
     pub(super) piece: usize,
     pub(super) from: f64,
     pub(super) to: f64,
     /// The crossing at its start, if one is there.
-    pub(super) start: Option<usize>,
+    pub(super) start: Option<u32>,
     /// The crossing at its end, if one is there.
-    pub(super) end: Option<usize>,
+    pub(super) end: Option<u32>,
 }
 
 /// A cut of a piece.
@@ -30,19 +36,66 @@ struct Cut {
     t: f64,
     point: DVec2,
     /// Index of the crossing, none at a fence.
-    crossing: Option<usize>,
+    crossing: Option<u32>,
 }
 
-/// Cuts `pieces` at all crossings with each other and with `fences`; the arcs come in order.
-pub(super) fn cut(pieces: &[Piece], fences: &[MoveCurve]) -> Vec<Arc> {
-    let tree = BoxTree::new(pieces.iter().map(|p| p.curve.hull_bounds().inflated(SAME_PLACE)));
-    let mut cuts: Vec<Cut> = Vec::new();
-    let mut crossings = 0;
-    for (i, piece) in pieces.iter().enumerate() {
-        tree.meeting(&piece.curve.hull_bounds(), |j| {
-            if j > i {
-                for crossing in meet(&piece.curve, &pieces[j].curve).points() {
-                    if is_shared_end(pieces, i, j, crossing.point) {
+/// What is asked of the whole workpiece.
+pub(super) struct Survey<'a> {
+    pub(super) work: &'a Workpiece<'a>,
+    pub(super) tree: &'a OrderTree,
+    pub(super) marks: &'a Marks,
+    pub(super) fates: &'a [Fate],
+    pub(super) options: &'a Options,
+}
+
+impl Survey<'_> {
+    /// The stretches of the raw path that the tool can take, in order.
+    pub(super) fn clear_stretches(&self, clearance: &mut Clearance) -> Vec<Stretch> {
+        let (mut cuts, crossings) = self.cuts(clearance);
+        let places = merge_places(&mut cuts, crossings);
+        let mut stretches = self.stretches(&mut cuts, &places);
+        // A crossing where two pieces follow each other may be found on one of the two only.
+        for k in 0..stretches.len() {
+            if (stretches[k].end.is_some()
+                || stretches.get(k + 1).is_none_or(|s| s.start.is_some()))
+                && let Some(next) = following(self.work, &stretches, k)
+            {
+                let place = stretches[k].end.or(stretches[next].start);
+                (stretches[k].end, stretches[next].start) = (place, place);
+            }
+        }
+        stretches.retain(|stretch| {
+            let Piece { curve, unit, .. } = &self.work.pieces[stretch.piece];
+            self.fates[stretch.piece] == Fate::Clear
+                || EXAMINED.into_iter().all(|k| {
+                    let t = stretch.from + (stretch.to - stretch.from) * k;
+                    clearance.is_clear(curve.point(t), *unit as usize)
+                })
+        });
+        stretches
+    }
+
+    /// All cuts, and the number of crossings.
+    fn cuts(&self, clearance: &mut Clearance) -> (Vec<Cut>, u32) {
+        let pieces = &self.work.pieces;
+        let is_open = |&i: &usize| self.fates[i] == Fate::Open;
+        let open: Vec<usize> = (0..pieces.len()).filter(is_open).collect();
+        let around = |&i: &usize| pieces[i].curve.hull_bounds().inflated(SAME_PLACE);
+        let tree = BoxTree::new(open.iter().map(around));
+        let mut cuts: Vec<Cut> = Vec::new();
+        let mut crossings = 0;
+        for &i in &open {
+            let a = &pieces[i];
+            let [from, to] = clearance.tame(a.unit as usize);
+            tree.meeting(&a.curve.hull_bounds(), |j| {
+                let j = open[j];
+                let b = &pieces[j];
+                // Paths along one tame stretch do not cross.
+                if j <= i || (from..to).contains(&(b.unit as usize)) {
+                    return true;
+                }
+                for crossing in meet(&a.curve, &b.curve).points() {
+                    if self.is_shared_end(i, j, crossing.point) {
                         continue;
                     }
                     let number = Some(crossings);
@@ -51,51 +104,101 @@ pub(super) fn cut(pieces: &[Piece], fences: &[MoveCurve]) -> Vec<Arc> {
                     cuts.push(Cut { piece: i, t: crossing.t, point, crossing: number });
                     cuts.push(Cut { piece: j, t: crossing.u, point, crossing: number });
                 }
-            }
-            true
-        });
-    }
-    for fence in fences {
-        tree.meeting(&fence.hull_bounds(), |i| {
-            for crossing in meet(&pieces[i].curve, fence).points() {
-                cuts.push(Cut { piece: i, t: crossing.t, point: crossing.point, crossing: None });
-            }
-            true
-        });
-    }
-    let places = merge_places(&mut cuts, crossings);
-    let mut arcs = arcs(pieces, &mut cuts, &places);
-    // A crossing where two pieces follow each other may be found on one of its two pieces only.
-    for k in 0..arcs.len() {
-        if let Some(next) = following(pieces, &arcs, k) {
-            let place = arcs[k].end.or(arcs[next].start);
-            (arcs[k].end, arcs[next].start) = (place, place);
+                true
+            });
         }
+        if !open.is_empty() {
+            let Self { work, marks, options, .. } = *self;
+            each_fence(work, self.tree, marks, &tree, options, &mut |fence| {
+                tree.meeting(&fence.hull_bounds(), |i| {
+                    let piece = open[i];
+                    for crossing in meet(&pieces[piece].curve, fence).points() {
+                        let (t, point) = (crossing.t, crossing.point);
+                        cuts.push(Cut { piece, t, point, crossing: None });
+                    }
+                    true
+                });
+            });
+        }
+        (cuts, crossings)
     }
-    arcs
+
+    /// Whether a crossing of two pieces is only the end they share.
+    fn is_shared_end(&self, i: usize, j: usize, point: DVec2) -> bool {
+        let follows = |a: usize, b: usize| {
+            let piece = &self.work.pieces[a];
+            piece.next as usize == b && piece.curve.end().distance(point) <= SAME_PLACE
+        };
+        follows(i, j) || follows(j, i)
+    }
+
+    /// The parts of every piece between its cuts, but for those that are too near all along.
+    fn stretches(&self, cuts: &mut [Cut], places: &[u32]) -> Vec<Stretch> {
+        sort_by_piece(cuts);
+        let mut stretches = Vec::with_capacity(self.work.pieces.len() + cuts.len());
+        let mut k = 0;
+        for (index, fate) in self.fates.iter().enumerate() {
+            let mut stretch = Stretch { piece: index, from: 0.0, to: 1.0, start: None, end: None };
+            match fate {
+                Fate::Gouged => continue,
+                Fate::Clear => {
+                    stretches.push(stretch);
+                    continue;
+                }
+                Fate::Open => {}
+            }
+            let length = self.work.pieces[index].curve.length().max(SAME_PLACE);
+            while k < cuts.len() && cuts[k].piece == index {
+                let cut = cuts[k];
+                k += 1;
+                let place = cut.crossing.map(|c| places[c as usize]);
+                // A cut on the last one adds its crossing to it.
+                if (cut.t - stretch.from) * length <= SAME_PLACE {
+                    stretch.start = stretch.start.or(place);
+                    continue;
+                }
+                stretches.push(Stretch { to: cut.t, end: place, ..stretch });
+                stretch = Stretch { from: cut.t, start: place, ..stretch };
+            }
+            if (1.0 - stretch.from) * length > SAME_PLACE || stretch.from == 0.0 {
+                stretches.push(stretch);
+            } else if let Some(last) = stretches.last_mut().filter(|last| last.piece == index) {
+                last.to = 1.0;
+                last.end = last.end.or(stretch.start);
+            }
+        }
+        stretches
+    }
 }
 
-/// The arc that goes on where arc `k` ends, along the same strand.
-pub(super) fn following(pieces: &[Piece], arcs: &[Arc], k: usize) -> Option<usize> {
-    let next = if k + 1 < arcs.len() { k + 1 } else { 0 };
-    let same = arcs[next].piece == arcs[k].piece && next > k;
-    (same || pieces[arcs[k].piece].continues).then_some(next)
+/// The stretch that goes on where stretch `k` ends, along the same contour.
+pub(super) fn following(work: &Workpiece, stretches: &[Stretch], k: usize) -> Option<usize> {
+    let this = &stretches[k];
+    let ahead = stretches.get(k + 1);
+    if this.to < 1.0 {
+        return ahead.filter(|s| s.piece == this.piece && s.from == this.to).map(|_| k + 1);
+    }
+    let next = work.pieces[this.piece].next as usize;
+    if next > this.piece {
+        // The very next, unless there is none.
+        return ahead.filter(|s| s.piece == next && s.from == 0.0).map(|_| k + 1);
+    }
+    // The end of a closed contour goes on at its start.
+    let first = stretches.partition_point(|stretch| stretch.piece < next);
+    stretches.get(first).filter(|s| s.piece == next && s.from == 0.0).map(|_| first)
 }
 
-/// Whether a crossing of two pieces is only the end they share.
-fn is_shared_end(pieces: &[Piece], i: usize, j: usize, point: DVec2) -> bool {
-    let follows = |a: usize, b: usize| {
-        pieces[a].continues
-            && (b == a + 1 || (b == 0 && a == pieces.len() - 1))
-            && pieces[a].curve.end().distance(point) <= SAME_PLACE
-    };
-    follows(i, j) || follows(j, i)
+/// Sorts cuts by piece and parameter; there may be very many.
+fn sort_by_piece(cuts: &mut [Cut]) {
+    cuts.sort_unstable_by(|a, b| {
+        (a.piece, a.t).partial_cmp(&(b.piece, b.t)).unwrap_or(std::cmp::Ordering::Equal)
+    });
 }
 
 /// Gives crossings at the same place one number; returns the number of each crossing.
-fn merge_places(cuts: &mut [Cut], crossings: usize) -> Vec<usize> {
-    let mut number: Vec<usize> = (0..crossings).collect();
-    cuts.sort_by(|a, b| a.point.x.total_cmp(&b.point.x));
+fn merge_places(cuts: &mut [Cut], crossings: u32) -> Vec<u32> {
+    let mut number: Vec<u32> = (0..crossings).collect();
+    cuts.sort_unstable_by(|a, b| a.point.x.total_cmp(&b.point.x));
     for i in 0..cuts.len() {
         let Some(here) = cuts[i].crossing else { continue };
         for other in &cuts[i + 1..] {
@@ -106,48 +209,16 @@ fn merge_places(cuts: &mut [Cut], crossings: usize) -> Vec<usize> {
                 && other.point.distance(cuts[i].point) <= SAME_PLACE
             {
                 let (a, b) = (root(&number, here), root(&number, there));
-                number[a.max(b)] = a.min(b);
+                number[a.max(b) as usize] = a.min(b);
             }
         }
     }
     (0..crossings).map(|k| root(&number, k)).collect()
 }
 
-fn root(number: &[usize], mut k: usize) -> usize {
-    while number[k] != k {
-        k = number[k];
+fn root(number: &[u32], mut k: u32) -> u32 {
+    while number[k as usize] != k {
+        k = number[k as usize];
     }
     k
-}
-
-/// The parts of every piece between its cuts.
-fn arcs(pieces: &[Piece], cuts: &mut [Cut], places: &[usize]) -> Vec<Arc> {
-    cuts.sort_by(|a, b| {
-        (a.piece, a.t).partial_cmp(&(b.piece, b.t)).unwrap_or(std::cmp::Ordering::Equal)
-    });
-    let mut arcs = Vec::with_capacity(pieces.len() + cuts.len());
-    let mut k = 0;
-    for (index, piece) in pieces.iter().enumerate() {
-        let length = piece.curve.length().max(SAME_PLACE);
-        let mut arc = Arc { piece: index, from: 0.0, to: 1.0, start: None, end: None };
-        while k < cuts.len() && cuts[k].piece == index {
-            let cut = cuts[k];
-            k += 1;
-            let place = cut.crossing.map(|c| places[c]);
-            // A cut on the last one adds its crossing to it.
-            if (cut.t - arc.from) * length <= SAME_PLACE {
-                arc.start = arc.start.or(place);
-                continue;
-            }
-            arcs.push(Arc { to: cut.t, end: place, ..arc });
-            arc = Arc { from: cut.t, start: place, ..arc };
-        }
-        if (1.0 - arc.from) * length > SAME_PLACE || arc.from == 0.0 {
-            arcs.push(arc);
-        } else if let Some(last) = arcs.last_mut().filter(|last| last.piece == index) {
-            last.to = 1.0;
-            last.end = last.end.or(arc.start);
-        }
-    }
-    arcs
 }

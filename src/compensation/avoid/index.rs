@@ -59,6 +59,16 @@ impl BoxTree {
         Node { around, from, to, children: None }
     }
 
+    /// Whether any box meets `bounds`.
+    pub(super) fn meets(&self, bounds: &Bounds) -> bool {
+        let mut found = false;
+        self.meeting(bounds, |_| {
+            found = true;
+            false
+        });
+        found
+    }
+
     /// Calls `visit` with the index of every box that meets `bounds`, until it returns false.
     pub(super) fn meeting(&self, bounds: &Bounds, mut visit: impl FnMut(usize) -> bool) {
         let mut open = vec![0];

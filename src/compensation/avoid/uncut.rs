@@ -1,145 +1,187 @@
 //! What the tool cannot reach: the material between the contour and the tool where it turns away.
 //!
-//! A stretch of the contour whose offset was cut out begins and ends at crossings, where the tool
+//! A gap between two stretches of a contour's raw path begins and ends at crossings, where the tool
 //! touches the contour in two places. Its region runs along the contour from the first of them to
 //! the second and back along the tool. At a bottleneck the tool turns away before it and comes from
-//! beyond it, so two stretches, and the tool in two places, bound one region.
+//! beyond it, so two gaps, and the tool in two places, bound one region.
 
 use glam::DVec2;
 
-use super::cuts::Arc as Cut;
-use super::strands::Piece;
-use crate::compensation::run::Run;
-use crate::contour::{Tool, Uncut};
-use crate::geometry::{Arc, Curve, cross, flatten_arc, flatten_cubic};
+use super::cuts::{Stretch, following};
+use super::units::Workpiece;
+use crate::contour::{MoveCurve, Tool, Uncut};
+use crate::geometry::{Arc, cross, flatten_arc, flatten_cubic};
 
-/// A stretch of successive arcs that were cut out.
+/// What was left out between two stretches of one contour that follow each other.
 #[derive(Debug, Clone, Copy)]
-struct Stretch {
-    /// The crossings where the tool leaves the strand and where it comes back.
-    places: [usize; 2],
+struct Gap {
+    /// The crossings where the tool leaves the contour and where it comes back.
+    places: [u32; 2],
     /// The tool centres there [mm].
     centers: [DVec2; 2],
-    /// The runs that the tool touches there.
-    runs: [usize; 2],
-    /// The parameters of the places it touches, where they are corners.
-    touches: [Option<f64>; 2],
+    /// The units that the tool touches there.
+    units: [usize; 2],
 }
 
-/// The regions that are not reached, as far as the cut-out stretches bound them.
+/// A region in the making.
+#[derive(Debug, Default)]
+struct Region {
+    outline: Vec<DVec2>,
+    /// Contours and segments along it.
+    segments: Vec<[u32; 2]>,
+}
+
+/// The regions that are not reached, as far as gaps bound them.
 pub(super) fn uncut(
-    runs: &[Run],
-    pieces: &[Piece],
-    arcs: &[Cut],
-    clear: &[bool],
+    work: &Workpiece,
+    stretches: &[Stretch],
     tool: Tool,
     tolerance: f64,
 ) -> Vec<Uncut> {
-    let stretches = stretches(pieces, arcs, clear);
-    let mut used = vec![false; stretches.len()];
+    let gaps = gaps(work, stretches);
+    let mut by_start: Vec<(u32, usize)> =
+        gaps.iter().enumerate().map(|(k, gap)| (gap.places[0], k)).collect();
+    by_start.sort_unstable();
+    let mut used = vec![false; gaps.len()];
     let mut regions = Vec::new();
-    for first in 0..stretches.len() {
-        let mut region = Uncut { outline: Vec::new(), area: 0.0, segments: Vec::new() };
-        let mut current = first;
-        while !used[current] {
-            used[current] = true;
-            let stretch = &stretches[current];
-            let feet = follow(runs, stretch, tolerance, &mut region);
-            let Some(next) = stretches.iter().position(|s| s.places[0] == stretch.places[1]) else {
-                break;
-            };
-            let ahead = foot(runs, &stretches[next], 0).1;
-            along_tool(stretch.centers[1], feet, ahead, tool, tolerance, &mut region.outline);
-            current = next;
+    for first in 0..gaps.len() {
+        if used[first] {
+            continue;
         }
-        region.area = area(&region.outline);
-        // Thinner than the tolerance all along: nothing that anybody would miss.
-        let around: f64 =
-            region.outline.windows(2).map(|pair| pair[0].distance(pair[1])).sum::<f64>();
-        if current == first && region.area > 0.5 * tolerance * around {
-            regions.push(region);
+        let mut region = Region::default();
+        let mut current = first;
+        let closed = loop {
+            used[current] = true;
+            let gap = &gaps[current];
+            let end = follow(work, gap, tolerance, &mut region);
+            let from = by_start.partition_point(|&(place, _)| place < gap.places[1]);
+            let mut here = by_start[from..].iter().take_while(|(at, _)| *at == gap.places[1]);
+            let Some(&(_, next)) = here.find(|&&(_, k)| !used[k] || k == first) else {
+                break false;
+            };
+            let ahead = foot(work, &gaps[next], 0).1;
+            along_tool(gap.centers[1], end, ahead, tool, tolerance, &mut region.outline);
+            if next == first {
+                break true;
+            }
+            current = next;
+        };
+        if closed {
+            regions.extend(region.finished(work, tolerance));
         }
     }
     regions
 }
 
-/// The cut-out stretches with a crossing at both ends, in order.
-fn stretches(pieces: &[Piece], arcs: &[Cut], clear: &[bool]) -> Vec<Stretch> {
-    let count = arcs.len();
-    let mut stretches = Vec::new();
-    for k in 0..count {
-        let before = if k > 0 { k - 1 } else { count - 1 };
-        if clear[k] || !clear[before] {
-            continue;
-        }
-        // From the first arc after a clear one to the last before the next clear one.
-        let length = (0..count).take_while(|&n| !clear[(k + n) % count]).count();
-        let last = (k + length - 1) % count;
-        let (start, end) = (&arcs[k], &arcs[last]);
-        if let (Some(from), Some(to)) = (start.start, end.end) {
-            stretches.push(Stretch {
-                places: [from, to],
-                centers: [
-                    pieces[start.piece].curve.point(start.from),
-                    pieces[end.piece].curve.point(end.to),
-                ],
-                runs: [pieces[start.piece].run, pieces[end.piece].run],
-                touches: [pieces[start.piece].touches, pieces[end.piece].touches],
-            });
-        }
+/// The inside of a closed contour along which the tool fits nowhere.
+pub(super) fn uncut_inside(work: &Workpiece, job: usize, tolerance: f64) -> Option<Uncut> {
+    let range = work.ranges[job];
+    let mut region = Region::default();
+    region.outline.push(work.jobs[job].contour.start());
+    for unit in range.from..range.to {
+        region.along(work, unit, [0.0, 1.0], tolerance);
     }
-    stretches
+    let is_inside = doubled_area(&region.outline) * work.jobs[job].tool.offset() > 0.0;
+    if range.closed && is_inside { region.finished(work, tolerance) } else { None }
 }
 
-/// Where the tool touches the contour at an end of a stretch: parameter and point.
-fn foot(runs: &[Run], stretch: &Stretch, end: usize) -> (f64, DVec2) {
-    let curve = &runs[stretch.runs[end]].segment.curve;
-    if let Some(t) = stretch.touches[end] {
-        return (t, curve.point(t));
+impl Region {
+    /// Appends the contour along part of a unit.
+    fn along(&mut self, work: &Workpiece, unit: usize, [from, to]: [f64; 2], tolerance: f64) {
+        let of = &work.units[unit];
+        let segment = [of.job, of.segment];
+        if self.segments.last() != Some(&segment) {
+            self.segments.push(segment);
+        }
+        let outline = &mut self.outline;
+        match work.curve(unit) {
+            Some(MoveCurve::Line(line)) => outline.push(line.point(to)),
+            Some(MoveCurve::Arc(arc)) => {
+                let part =
+                    Arc::from_sweep(arc.point(from), arc.center(), arc.sweep() * (to - from));
+                if let Ok(part) = part {
+                    flatten_arc(&part, tolerance, &mut |point| outline.push(point));
+                }
+            }
+            Some(MoveCurve::Cubic(cubic)) => {
+                flatten_cubic(&cubic.part(from, to), tolerance, &mut |point| outline.push(point));
+            }
+            Some(MoveCurve::Vertical(_)) | None => {}
+        }
     }
-    let nearest = curve.nearest(stretch.centers[end]);
-    (nearest.t, nearest.point)
+
+    /// The region, unless it is thinner than the tolerance all along: nothing anybody would miss.
+    fn finished(mut self, work: &Workpiece, tolerance: f64) -> Option<Uncut> {
+        let area = 0.5 * doubled_area(&self.outline).abs();
+        let around: f64 = self.outline.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
+        if area <= 0.5 * tolerance * around {
+            return None;
+        }
+        self.segments.sort_unstable();
+        self.segments.dedup();
+        let origin = |[job, segment]: [u32; 2]| {
+            work.jobs[job as usize].contour.segments()[segment as usize].attributes.origin
+        };
+        let segments = self.segments.into_iter().map(origin).collect();
+        Some(Uncut { outline: self.outline, area, segments })
+    }
 }
 
-/// Appends the contour along a stretch; returns the foot at its end.
-fn follow(runs: &[Run], stretch: &Stretch, tolerance: f64, region: &mut Uncut) -> DVec2 {
-    let [(from, start), (to, end)] = [foot(runs, stretch, 0), foot(runs, stretch, 1)];
-    let mut run = stretch.runs[0];
+/// The gaps with a crossing at both ends, in order.
+fn gaps(work: &Workpiece, stretches: &[Stretch]) -> Vec<Gap> {
+    let mut gaps = Vec::new();
+    let mut from = 0;
+    for range in &work.ranges {
+        let pieces = work.pieces_of_range(*range);
+        let to = from + stretches[from..].partition_point(|s| s.piece < pieces.end);
+        for k in from..to {
+            let next = if k + 1 < to { k + 1 } else { from };
+            if next <= k && !range.closed || following(work, stretches, k) == Some(next) {
+                continue;
+            }
+            let (a, b) = (&stretches[k], &stretches[next]);
+            if let (Some(leaves), Some(returns)) = (a.end, b.start) {
+                let (last, first) = (&work.pieces[a.piece], &work.pieces[b.piece]);
+                gaps.push(Gap {
+                    places: [leaves, returns],
+                    centers: [last.curve.point(a.to), first.curve.point(b.from)],
+                    units: [last.unit as usize, first.unit as usize],
+                });
+            }
+        }
+        from = to;
+    }
+    gaps
+}
+
+/// Where the tool touches the contour at an end of a gap: parameter on the unit, and point.
+fn foot(work: &Workpiece, gap: &Gap, end: usize) -> (f64, DVec2) {
+    let center = gap.centers[end];
+    work.curve(gap.units[end]).map_or((0.0, center), |curve| {
+        let nearest = curve.nearest(center);
+        (nearest.t, nearest.point)
+    })
+}
+
+/// Appends the contour along a gap; returns the foot at its end.
+fn follow(work: &Workpiece, gap: &Gap, tolerance: f64, region: &mut Region) -> DVec2 {
+    let [(from, start), (to, end)] = [foot(work, gap, 0), foot(work, gap, 1)];
+    let [first, last] = gap.units;
+    let range = work.range_of(first);
+    let mut unit = first;
     region.outline.push(start);
+    // The end lies behind the start on the same unit: once round the contour.
+    let mut round = first == last && to < from;
     let mut t = from;
     loop {
-        let segment = runs[run].segment;
-        if !region.segments.contains(&segment.attributes.origin) {
-            region.segments.push(segment.attributes.origin);
-        }
-        let done = run == stretch.runs[1] && (to >= t || run != stretch.runs[0]);
-        append(&segment.curve, t, if done { to } else { 1.0 }, tolerance, &mut region.outline);
+        let done = unit == last && !round;
+        region.along(work, unit, [t, if done { to } else { 1.0 }], tolerance);
         if done {
             return end;
         }
-        (run, t) = ((run + 1) % runs.len(), 0.0);
-    }
-}
-
-/// Appends points of a curve between two parameters, after the first.
-fn append(curve: &Curve, from: f64, to: f64, tolerance: f64, outline: &mut Vec<DVec2>) {
-    match curve {
-        Curve::Line(line) => outline.push(line.point(to)),
-        Curve::Arc(arc) => {
-            let part = Arc::from_sweep(arc.point(from), arc.center(), arc.sweep() * (to - from));
-            if let Ok(part) = part {
-                flatten_arc(&part, tolerance, &mut |point| outline.push(point));
-            }
-        }
-        Curve::Spline(spline) => {
-            let ((first, t0), (last, t1)) = (spline.locate(from), spline.locate(to));
-            for span in first..=last {
-                let start = if span == first { t0 } else { 0.0 };
-                let end = if span == last { t1 } else { 1.0 };
-                let part = spline.pieces()[span].part(start, end);
-                flatten_cubic(&part, tolerance, &mut |point| outline.push(point));
-            }
-        }
+        round = false;
+        unit = if unit + 1 < range.to { unit + 1 } else { range.from };
+        t = 0.0;
     }
 }
 
@@ -159,10 +201,8 @@ fn along_tool(
     }
 }
 
-/// Area of a closed outline [mm²] (shoelace formula).
-fn area(outline: &[DVec2]) -> f64 {
+/// Twice the signed area of a closed outline [mm²] (shoelace formula).
+fn doubled_area(outline: &[DVec2]) -> f64 {
     let Some(&origin) = outline.first() else { return 0.0 };
-    let doubled: f64 =
-        outline.windows(2).map(|pair| cross(pair[0] - origin, pair[1] - origin)).sum();
-    0.5 * doubled.abs()
+    outline.windows(2).map(|pair| cross(pair[0] - origin, pair[1] - origin)).sum()
 }

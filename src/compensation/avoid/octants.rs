@@ -1,0 +1,137 @@
+//! Which way a curve heads, as a set of eighths of a circle.
+//!
+//! Sets of directions are joined with one operation and tell at once whether a stretch of a contour
+//! turns by less than half a circle, which angles would cost arc tangents to tell.
+
+use glam::{DVec2, dvec2};
+
+use crate::geometry::{Bounds, Cubic};
+
+/// A set of directions: bit `k` stands for the eighth from `45° k` to `45° (k + 1)`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(in crate::compensation) struct Octants(u8);
+
+/// √½, the coordinates of the diagonals.
+const D: f64 = std::f64::consts::FRAC_1_SQRT_2;
+
+/// Directions at the boundaries of the eighths, the first repeated as the last.
+const RIMS: [DVec2; 9] = [
+    dvec2(1.0, 0.0),
+    dvec2(D, D),
+    dvec2(0.0, 1.0),
+    dvec2(-D, D),
+    dvec2(-1.0, 0.0),
+    dvec2(-D, -D),
+    dvec2(0.0, -1.0),
+    dvec2(D, -D),
+    dvec2(1.0, 0.0),
+];
+
+impl Octants {
+    /// Every direction.
+    pub(super) const ALL: Self = Self(0xff);
+
+    /// The eighth that a vector points into; none for a zero vector.
+    pub(super) fn of(v: DVec2) -> Self {
+        let (x, y) = (v.x, v.y);
+        if x == 0.0 && y == 0.0 {
+            return Self(0);
+        }
+        let k = match (y >= 0.0, x > 0.0) {
+            (true, true) => u8::from(y >= x),
+            (true, false) => 3 - u8::from(y > -x),
+            (false, false) => 4 + u8::from(-y >= -x),
+            (false, true) => 7 - u8::from(-y > x),
+        };
+        Self(1 << k)
+    }
+
+    /// The directions of a cubic and some between them.
+    pub(super) fn of_cubic(cubic: &Cubic) -> Self {
+        let [p0, p1, p2, p3] = cubic.points;
+        Self::of(p1 - p0).union(Self::of(p2 - p1)).union(Self::of(p3 - p2))
+    }
+
+    /// The directions between two tangents, the shorter way round.
+    pub(super) fn between(from: DVec2, to: DVec2) -> Self {
+        Self::of(from).union(Self::of(to)).union(Self::of(from + to))
+    }
+
+    pub(super) fn union(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+
+    /// Whether all of them fit into half a circle: a curve that heads nowhere else never turns
+    /// back.
+    pub(super) fn is_narrow(self) -> bool {
+        let wide = u32::from(self.0) * 0x0101;
+        // Four eighths in a row free, somewhere round the circle.
+        let free = !wide & 0xffff;
+        (free & (free >> 1) & (free >> 2) & (free >> 3)) & 0xff != 0 || self.0 == 0
+    }
+
+    /// Whether they fit into a quarter of a circle, however that lies.
+    pub(super) fn is_slender(self) -> bool {
+        let wide = u32::from(self.0) * 0x0101;
+        let free = !wide & 0xffff;
+        let four = free & (free >> 1) & (free >> 2) & (free >> 3);
+        (four & (four >> 2)) & 0xff != 0 || self.0 == 0
+    }
+
+    /// The box of the unit vectors a quarter turn to the left of these directions.
+    pub(super) fn left_normals(self) -> Bounds {
+        let mut bounds = Bounds::EMPTY;
+        for (k, pair) in RIMS.windows(2).enumerate() {
+            if self.0 & (1 << k) != 0 {
+                bounds.add(pair[0].perp());
+                bounds.add(pair[1].perp());
+            }
+        }
+        bounds
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    fn at(degrees: f64) -> DVec2 {
+        DVec2::from_angle(degrees.to_radians())
+    }
+
+    #[test]
+    fn each_direction_is_in_its_eighth() {
+        for k in 0..8 {
+            for within in [1.0, 20.0, 44.0] {
+                let angle = 45.0 * f64::from(k) + within;
+                assert_eq!(Octants::of(at(angle)), Octants(1 << k), "{angle}°");
+            }
+            // A direction on a boundary may count to either side, but to one of them.
+            let rim = Octants::of(RIMS[k as usize]).0;
+            assert!(rim == 1 << k || rim == 1 << ((k + 7) % 8), "rim {k} is in {rim:b}");
+        }
+    }
+
+    #[test]
+    fn narrow_sets_are_those_within_half_a_circle() {
+        for first in 0..8 {
+            for width in 1..=8_u32 {
+                let set = (0..width).fold(0_u8, |set, k| set | 1 << ((first + k) % 8));
+                assert_eq!(Octants(set).is_narrow(), width <= 4, "{set:08b}");
+                assert_eq!(Octants(set).is_slender(), width <= 2, "{set:08b}");
+            }
+        }
+        assert!(!Octants(0b0001_0001).is_narrow(), "opposite directions");
+    }
+
+    #[test]
+    fn normals_of_a_set_are_in_their_box() {
+        for degrees in 0..360 {
+            let direction = at(f64::from(degrees) + 0.5);
+            let bounds = Octants::of(direction).left_normals().inflated(1e-12);
+            assert_eq!(bounds.distance(direction.perp()), 0.0, "{degrees}°");
+        }
+    }
+}

@@ -1,0 +1,207 @@
+//! Which raw pieces need a closer look, and how near places are to the contour.
+//!
+//! What the tree did not mark is clear. Of the rest most is plainly too near, deep inside a loop:
+//! a piece whose hull lies within the tool about one point of the contour is dropped. Neighbours are
+//! mostly cut by the same part of the contour, so that is tried first.
+
+use glam::DVec2;
+
+use super::tree::{Marks, OrderTree};
+use super::units::{Kind, Workpiece};
+use crate::contour::MoveCurve;
+use crate::geometry::{Bounds, Cubic};
+
+/// Units to each side that are looked at to find the tame stretch around one.
+const TAME_REACH: usize = 24;
+
+/// Whether a place of the raw path is clear of the contour.
+#[derive(Debug)]
+pub(super) struct Clearance<'a> {
+    work: &'a Workpiece<'a>,
+    tree: &'a OrderTree,
+    /// Nearer than this is too near [mm].
+    least: f64,
+    /// The unit that was too near last.
+    hint: usize,
+    /// The stretch of units that the last place's unit is surely clear of, and that unit.
+    tame: (usize, [usize; 2]),
+}
+
+impl<'a> Clearance<'a> {
+    pub(super) fn new(work: &'a Workpiece<'a>, tree: &'a OrderTree, least: f64) -> Self {
+        Self { work, tree, least, hint: 0, tame: (usize::MAX, [0, 0]) }
+    }
+
+    /// The tame stretch around a unit.
+    pub(super) fn tame(&mut self, unit: usize) -> [usize; 2] {
+        if self.tame.0 != unit {
+            let range = self.work.range_of(unit);
+            self.tame = (unit, self.tree.tame_around(unit, range, TAME_REACH));
+        }
+        self.tame.1
+    }
+
+    /// The fate of a piece that may be too near.
+    pub(super) fn fate(&mut self, curve: &MoveCurve, unit: usize) -> Fate {
+        let gouged = self.is_gouged(curve)
+            || runs_back(self.work, unit, curve) && !self.is_clear(curve.point(0.5), unit);
+        if gouged { Fate::Gouged } else { Fate::Open }
+    }
+
+    /// Whether `point` of the path of `unit` is far enough from all of the contour.
+    ///
+    /// What the path of the unit cannot be too near to, the tame stretch around it, is passed over.
+    pub(super) fn is_clear(&mut self, point: DVec2, unit: usize) -> bool {
+        let [from, to] = self.tame(unit);
+        self.is_clear_except(point, [from, to])
+    }
+
+    /// Whether `point` is far enough from all of the contour but the units of a stretch.
+    pub(super) fn is_clear_except(&mut self, point: DVec2, [from, to]: [usize; 2]) -> bool {
+        let hint = self.hint;
+        let known = hint < from || hint >= to;
+        if known && self.work.curve(hint).is_some_and(|curve| self.touches(&curve, point)) {
+            return false;
+        }
+        let mut nearer = None;
+        let clear = self.tree.near(point, self.least, &mut |unit| {
+            let near = (unit < from || unit >= to)
+                && self.work.curve(unit).is_some_and(|curve| self.is_nearer(&curve, point));
+            if near {
+                nearer = Some(unit);
+            }
+            !near
+        });
+        self.hint = nearer.unwrap_or(hint);
+        clear
+    }
+
+    /// Whether an end or the middle of a curve is too near: the quick look.
+    fn touches(&self, curve: &MoveCurve, point: DVec2) -> bool {
+        let near = |p: DVec2| p.distance_squared(point) < self.least * self.least;
+        self.least > 0.0 && landmarks(curve).into_iter().any(near)
+    }
+
+    /// Whether any point of a curve is too near.
+    fn is_nearer(&self, curve: &MoveCurve, point: DVec2) -> bool {
+        if self.least <= 0.0 {
+            return false;
+        }
+        match curve {
+            MoveCurve::Cubic(cubic) => match side_by_chord(cubic, point, self.least) {
+                Some(nearer) => nearer,
+                None => curve.nearest(point).distance < self.least,
+            },
+            MoveCurve::Line(_) | MoveCurve::Arc(_) | MoveCurve::Vertical(_) => {
+                curve.nearest(point).distance < self.least
+            }
+        }
+    }
+
+    /// Whether all of a piece is too near, as far as a quick look tells.
+    fn is_gouged(&mut self, curve: &MoveCurve) -> bool {
+        let hull = hull(curve);
+        if self.covers(self.hint, &hull) {
+            return true;
+        }
+        let middle = curve.point(0.5);
+        let half = hull.iter().map(|p| p.distance(middle)).fold(0.0, f64::max);
+        let mut by = None;
+        self.tree.near(middle, self.least - half, &mut |unit| {
+            if self.covers(unit, &hull) {
+                by = Some(unit);
+            }
+            by.is_none()
+        });
+        self.hint = by.unwrap_or(self.hint);
+        by.is_some()
+    }
+
+    /// Whether a tool about one point of a unit's contour holds all of a hull.
+    fn covers(&self, unit: usize, hull: &[DVec2; 4]) -> bool {
+        let squared = self.least * self.least;
+        let holds = |at: DVec2| hull.iter().all(|p| p.distance_squared(at) < squared);
+        self.least > 0.0
+            && self.work.curve(unit).is_some_and(|c| landmarks(&c).into_iter().any(holds))
+    }
+}
+
+/// Both ends and the middle of a curve.
+fn landmarks(curve: &MoveCurve) -> [DVec2; 3] {
+    [curve.start(), curve.point(0.5), curve.end()]
+}
+
+/// Four points whose hull holds a curve.
+fn hull(curve: &MoveCurve) -> [DVec2; 4] {
+    match curve {
+        MoveCurve::Cubic(cubic) => cubic.points,
+        MoveCurve::Line(line) => [line.start(), line.start(), line.end(), line.end()],
+        MoveCurve::Arc(_) | MoveCurve::Vertical(_) => {
+            let Bounds { min, max } = curve.bounds();
+            [min, DVec2::new(max.x, min.y), max, DVec2::new(min.x, max.y)]
+        }
+    }
+}
+
+/// Whether a cubic is nearer to `point` than `distance`, where the distance from its chord tells:
+/// the curve is no farther from the chord than its control points.
+fn side_by_chord(cubic: &Cubic, point: DVec2, distance: f64) -> Option<bool> {
+    let [p0, p1, p2, p3] = cubic.points;
+    let from_chord = |p: DVec2| {
+        let chord = p3 - p0;
+        let along = (p - p0).dot(chord) / chord.length_squared();
+        (p0 + chord * along.clamp(0.0, 1.0)).distance(p)
+    };
+    let (off, gap) = (from_chord(p1).max(from_chord(p2)), from_chord(point));
+    if gap - off >= distance {
+        Some(false)
+    } else if gap + off < distance {
+        Some(true)
+    } else {
+        None
+    }
+}
+
+/// The fate of a raw piece.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Fate {
+    /// Clear all along, and crossed nowhere where that would matter.
+    Clear,
+    /// May be clear in parts: to be cut and examined.
+    Open,
+    /// Too near all along.
+    Gouged,
+}
+
+/// Tells the fate of every piece.
+pub(super) fn sieve(work: &Workpiece, marks: &Marks, clearance: &mut Clearance) -> Vec<Fate> {
+    let mut fates = vec![Fate::Clear; work.pieces.len()];
+    for unit in (0..work.units.len()).filter(|&unit| marks.is_suspect(unit)) {
+        for piece in work.pieces_of(unit) {
+            let gouged = marks.is_gouged(unit);
+            fates[piece] =
+                if gouged { Fate::Gouged } else { clearance.fate(&work.pieces[piece].curve, unit) };
+        }
+    }
+    fates
+}
+
+/// Whether a piece of the offset runs against its span: beyond a cusp. There the distance from
+/// the contour is greatest where the tool should touch it, so every place is too near, by less
+/// towards both ends; a crossing there is none that the tool could take.
+fn runs_back(work: &Workpiece, unit: usize, curve: &MoveCurve) -> bool {
+    if work.units[unit].kind != Kind::Segment {
+        return false;
+    }
+    match (work.curve(unit), curve) {
+        (Some(MoveCurve::Cubic(span)), MoveCurve::Cubic(piece)) => {
+            let slender = super::octants::Octants::of_cubic(&span).is_slender();
+            let along = span.end() - span.start();
+            slender && (piece.end() - piece.start()).dot(along) < 0.0
+        }
+        (Some(MoveCurve::Arc(arc)), MoveCurve::Arc(piece)) => {
+            (arc.start() - arc.center()).dot(piece.start() - piece.center()) < 0.0
+        }
+        _ => false,
+    }
+}

@@ -1,0 +1,308 @@
+//! From chains to moves.
+
+use glam::DVec2;
+
+use super::chains::Chain;
+use super::cuts::Stretch;
+use super::sieve::Clearance;
+use super::units::{Kind, OutsideCorner, Workpiece, corner_of};
+use crate::compensation::corner::classify;
+use crate::compensation::path::{PathBuilder, between};
+use crate::compensation::run::part;
+use crate::compensation::transition::CornerFrame;
+use crate::compensation::{CornerStyle, Options};
+use crate::contour::{
+    Attributes, Corner, CornerKind, Lead, Move, MoveCurve, Role, Tool, Transition, TransitionKind,
+};
+use crate::geometry::{Curve, Line};
+
+/// Places examined on each straight move round a corner.
+const EXAMINED: u32 = 16;
+
+/// Strings chains together.
+pub(super) struct Stitcher<'a> {
+    pub(super) work: &'a Workpiece<'a>,
+    pub(super) stretches: &'a [Stretch],
+    pub(super) clearance: Clearance<'a>,
+    pub(super) options: &'a Options,
+    pub(super) builder: PathBuilder,
+    /// For each contour, how many of its events have happened already.
+    pub(super) events: Vec<usize>,
+}
+
+impl Stitcher<'_> {
+    pub(super) fn build(&mut self, chains: &[Chain]) {
+        self.builder.path.moves.reserve(self.stretches.len());
+        let jobs = self.work.jobs;
+        let job_at = |k: usize| self.job(k);
+        let first = |chain: &Chain| job_at(chain.stretches[0]);
+        let last = |chain: &Chain| job_at(chain.stretches[chain.stretches.len() - 1]);
+        let starts: Vec<usize> = chains.iter().map(first).collect();
+        let ends: Vec<usize> = chains.iter().map(last).collect();
+        let mut led = vec![false; jobs.len()];
+        for (k, chain) in chains.iter().enumerate() {
+            let contour = jobs[starts[k]].contour;
+            if let Some(lead) = contour.lead_in().filter(|_| !led[starts[k]]) {
+                let to = self.point(chain.stretches[0], false);
+                self.lead(lead, lead.point, to, Role::LeadIn);
+            }
+            led[starts[k]] = true;
+            self.add(chain);
+            let is_last = !ends[k + 1..].contains(&ends[k]);
+            if let Some(lead) = jobs[ends[k]].contour.lead_out().filter(|_| is_last) {
+                let from = self.point(chain.stretches[chain.stretches.len() - 1], true);
+                self.lead(lead, from, lead.point, Role::LeadOut);
+            }
+        }
+        for job in 0..jobs.len() {
+            self.events_before(job, usize::MAX);
+        }
+    }
+
+    fn lead(&mut self, lead: &Lead, from: DVec2, to: DVec2, role: Role) {
+        self.builder.line_to(from, to, role, &lead.attributes);
+    }
+
+    fn unit(&self, k: usize) -> usize {
+        self.work.pieces[self.stretches[k].piece].unit as usize
+    }
+
+    fn job(&self, k: usize) -> usize {
+        self.work.units[self.unit(k)].job as usize
+    }
+
+    /// Start or end of a stretch [mm].
+    fn point(&self, k: usize, at_end: bool) -> DVec2 {
+        let stretch = &self.stretches[k];
+        let t = if at_end { stretch.to } else { stretch.from };
+        self.work.pieces[stretch.piece].curve.point(t)
+    }
+
+    /// Appends the moves of a chain.
+    fn add(&mut self, chain: &Chain) {
+        let list = &chain.stretches;
+        let first_move = self.builder.path.moves.len();
+        let mut k = 0;
+        // Where the next move starts, if that is not where its piece does.
+        let mut start = None;
+        while k < list.len() {
+            let stretch = self.stretches[list[k]];
+            let unit = self.unit(list[k]);
+            let before = if k > 0 { Some(list[k - 1]) } else { None };
+            let mut to = stretch.to;
+            k += 1;
+            // Stretches of one piece that follow each other are one move.
+            while let Some(next) = list.get(k).map(|&next| &self.stretches[next])
+                && next.piece == stretch.piece
+                && next.from == to
+            {
+                to = next.to;
+                k += 1;
+            }
+            if let Some(before) = before {
+                self.report_shortened(before, list[k - 1]);
+            }
+            let piece = &self.work.pieces[stretch.piece];
+            let of = self.work.units[unit];
+            let segment = self.work.segment(unit);
+            self.events_before(of.job as usize, of.segment as usize);
+            if let Kind::Corner(index) = of.kind {
+                let after = list.get(k).or(list.first().filter(|_| chain.closed)).copied();
+                let whole = stretch.from == 0.0 && to == 1.0;
+                let corner = self.work.corners[index as usize];
+                let attributes = self.corner_attributes(unit);
+                self.report_corner(&corner, unit, &attributes);
+                let neighbours = [before, after].map(|n| n.filter(|&n| self.is_beside(n, unit)));
+                if whole && let Some(points) = self.straight_round(&corner, unit) {
+                    start = self.add_straight(&points, neighbours, &attributes);
+                } else if let Some(curve) = part(&piece.curve, stretch.from, to) {
+                    let z = attributes.z;
+                    self.builder.piece(curve, Role::Transition, &attributes, [z[0]; 2]);
+                }
+                continue;
+            }
+            let z = [stretch.from, to].map(|t| self.height(stretch.piece, unit, t));
+            let mut curve = part(&piece.curve, stretch.from, to);
+            if let (Some(from), Some(MoveCurve::Line(line))) = (start.take(), &curve) {
+                curve = Line::new(from, line.end()).ok().map(MoveCurve::Line).or(curve);
+            }
+            if let Some(curve) = curve {
+                self.builder.piece(curve, Role::Segment, &segment.attributes, z);
+            }
+        }
+        // The corner at the end of a loop: its first move starts there.
+        if let Some(from) = start
+            && let Some(Move { curve: MoveCurve::Line(line), .. }) =
+                self.builder.path.moves.get_mut(first_move)
+            && let Ok(longer) = Line::new(from, line.end())
+        {
+            *line = longer;
+        }
+    }
+
+    /// Whether a stretch is the straight neighbour of a corner, whole at its side.
+    fn is_beside(&self, k: usize, corner: usize) -> bool {
+        let stretch = &self.stretches[k];
+        let unit = self.unit(k);
+        let range = self.work.range_of(corner);
+        let after = if corner + 1 < range.to { corner + 1 } else { range.from };
+        let beside =
+            unit + 1 == corner && stretch.to == 1.0 || unit == after && stretch.from == 0.0;
+        let is_line = matches!(self.work.pieces[stretch.piece].curve, MoveCurve::Line(_));
+        beside && is_line && self.work.units[unit].kind == Kind::Segment
+    }
+
+    /// The straight way round an outside corner, where that is asked for and clear.
+    fn straight_round(&mut self, corner: &OutsideCorner, unit: usize) -> Option<Vec<DVec2>> {
+        if self.options.corner != CornerStyle::Linear {
+            return None;
+        }
+        let frame = CornerFrame::new(&corner.corner, self.tool(unit));
+        let (points, spared) = if corner.kind == TransitionKind::Elongated {
+            // Clear of the tame stretch around it, as the tree's proof has it.
+            (vec![frame.n1, frame.v(), frame.n2], self.clearance.tame(unit))
+        } else {
+            (vec![frame.n1, frame.a1(), frame.a2(), frame.n2], [unit, unit])
+        };
+        for pair in points.windows(2) {
+            for k in 1..=EXAMINED {
+                let at = pair[0].lerp(pair[1], f64::from(k) / f64::from(EXAMINED));
+                if !self.clearance.is_clear_except(at, spared) {
+                    return None;
+                }
+            }
+        }
+        Some(points)
+    }
+
+    /// Appends the straight way round a corner; the moves of straight neighbours run on instead of
+    /// getting another move. Returns where a straight neighbour behind is to start.
+    fn add_straight(
+        &mut self,
+        points: &[DVec2],
+        [before, after]: [Option<usize>; 2],
+        attributes: &Attributes,
+    ) -> Option<DVec2> {
+        let mut points = points;
+        if before.is_some()
+            && let Some(Move { curve: MoveCurve::Line(line), .. }) =
+                self.builder.path.moves.last_mut()
+            && let Ok(longer) = Line::new(line.start(), points[1])
+        {
+            *line = longer;
+            points = &points[1..];
+        }
+        let mut start = None;
+        if after.is_some() {
+            points = &points[..points.len() - 1];
+            start = points.last().copied();
+        }
+        for pair in points.windows(2) {
+            if let Ok(line) = Line::new(pair[0], pair[1]) {
+                let line = MoveCurve::Line(line);
+                self.builder.piece(line, Role::Transition, attributes, [attributes.z[0]; 2]);
+            }
+        }
+        start
+    }
+
+    fn tool(&self, unit: usize) -> Tool {
+        self.work.jobs[self.work.units[unit].job as usize].tool
+    }
+
+    /// What a move round a corner carries.
+    fn corner_attributes(&self, unit: usize) -> Attributes {
+        let of = self.work.units[unit];
+        let segments = self.work.jobs[of.job as usize].contour.segments();
+        let range = self.work.range_of(unit);
+        let incoming = &segments[of.segment as usize].attributes;
+        if unit == range.from {
+            // Between the lead-in and the first segment.
+            return Attributes { z: [incoming.z[0]; 2], ..*incoming };
+        }
+        let next = (of.segment as usize + 1) % segments.len();
+        between(incoming, &segments[next].attributes)
+    }
+
+    fn report_corner(&mut self, corner: &OutsideCorner, unit: usize, attributes: &Attributes) {
+        let frame = CornerFrame::new(&corner.corner, self.tool(unit));
+        let mut construction = frame.construction();
+        if corner.kind == TransitionKind::Elongated {
+            construction.push(("V", frame.v()));
+        } else {
+            construction.extend([("A1", frame.a1()), ("A2", frame.a2())]);
+        }
+        self.report(corner.corner, corner.kind, corner.angle, construction, attributes);
+    }
+
+    /// The inside corner between two stretches, if they are the moves beside one.
+    fn report_shortened(&mut self, before: usize, after: usize) {
+        let next = self.work.pieces[self.stretches[before].piece].next as usize;
+        if next == self.stretches[after].piece {
+            return;
+        }
+        let (a, b) = (self.unit(before), self.unit(after));
+        let range = self.work.range_of(a);
+        let step = |at: usize| if at + 1 < range.to { at + 1 } else { range.from };
+        let gap = step(a);
+        if self.work.units[gap].kind != Kind::Break || step(gap) != b {
+            return;
+        }
+        let (incoming, outgoing) = (self.work.segment(a), self.work.segment(b));
+        let corner = corner_of(incoming, outgoing);
+        let tool = self.tool(a);
+        if let CornerKind::Transition { kind, angle } = classify(&corner, tool, self.options) {
+            let mut construction = CornerFrame::new(&corner, tool).construction();
+            construction.push(("V", self.point(after, false)));
+            let attributes = between(&incoming.attributes, &outgoing.attributes);
+            self.report(corner, kind, angle, construction, &attributes);
+        }
+    }
+
+    fn report(
+        &mut self,
+        corner: Corner,
+        kind: TransitionKind,
+        angle: f64,
+        construction: Vec<(&'static str, DVec2)>,
+        attributes: &Attributes,
+    ) {
+        self.builder.path.transitions.push(Transition {
+            kind,
+            angle,
+            corner: corner.point,
+            construction,
+            origin: attributes.origin,
+        });
+    }
+
+    /// Height of the tool at a parameter of a piece [mm]: it changes evenly along the segment.
+    fn height(&self, piece: usize, unit: usize, t: f64) -> f64 {
+        let segment = self.work.segment(unit);
+        let [from, to] = segment.attributes.z;
+        if from == to {
+            return to;
+        }
+        let pieces = self.work.pieces_of(unit);
+        let local = ((piece - pieces.start) as f64 + t) / pieces.len() as f64;
+        let along = match &segment.curve {
+            Curve::Line(_) | Curve::Arc(_) => local,
+            Curve::Spline(spline) => {
+                spline.parameter_at(self.work.units[unit].span as usize, local)
+            }
+        };
+        from + (to - from) * along
+    }
+
+    /// Lets happen what is programmed up to the start of a segment and has not happened yet.
+    fn events_before(&mut self, job: usize, segment: usize) {
+        let contour = self.work.jobs[job].contour;
+        let start = contour.start();
+        while let Some(event) = contour.events().get(self.events[job])
+            && event.before <= segment
+        {
+            self.builder.event(event, start);
+            self.events[job] += 1;
+        }
+    }
+}

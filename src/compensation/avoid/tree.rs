@@ -1,0 +1,316 @@
+//! A tree over the units of a workpiece in program order: which of them can be near which.
+//!
+//! Successive units lie side by side, so four of them, four of those and so on are good boxes:
+//! nothing is sorted, and one unit that changes changes one node of each level. Each node also tells
+//! whether its stretch of the contour is *tame*, so that no place of its path is too near to any
+//! place of the same stretch:
+//!
+//! Let every tangent of the stretch point into one half circle, let it bend towards the tool
+//! nowhere tighter than the tool (`σκ ≤ 1/r`), and let its corners be outside corners. With x along
+//! the middle of the half circle it is the graph of a function of slope angle θ, and
+//! `d sin θ / dx ≤ 1/r` for a tool above it. The lower half of a tool that touches it has
+//! `d sin θ / dx = 1/r` and the same slope where they touch, so the graph stays below the tool to
+//! both sides. The same holds where the tool runs on along the end tangent of an obtuse corner, up
+//! to `r tan(φ/2) ≤ r sin φ` beyond it.
+
+use glam::DVec2;
+
+use super::octants::Octants;
+use crate::geometry::Bounds;
+
+/// Children of a node.
+const FAN: usize = 4;
+
+/// What is known of a unit, or of successive ones.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::compensation) struct Node {
+    /// Box around its part of the contour.
+    pub(super) contour: Bounds,
+    /// Box around its part of the raw path.
+    pub(super) path: Bounds,
+    /// Where the contour heads.
+    pub(super) octants: Octants,
+    /// Whether it is one stretch without a break, an inside corner or a bend tighter than the tool.
+    pub(super) fits: bool,
+}
+
+impl Node {
+    /// What stands between two stretches.
+    pub(super) const BREAK: Self =
+        Self { contour: Bounds::EMPTY, path: Bounds::EMPTY, octants: Octants::ALL, fits: false };
+
+    fn union(&self, other: &Self) -> Self {
+        Self {
+            contour: self.contour.union(other.contour),
+            path: self.path.union(other.path),
+            octants: self.octants.union(other.octants),
+            fits: self.fits && other.fits,
+        }
+    }
+
+    /// Whether its path is surely clear of its own stretch of the contour.
+    fn is_tame(&self) -> bool {
+        self.fits && self.octants.is_narrow()
+    }
+}
+
+/// The units of one contour: a stretch of the list of all.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Range {
+    pub(super) from: usize,
+    pub(super) to: usize,
+    pub(super) closed: bool,
+}
+
+/// The tree.
+#[derive(Debug)]
+pub(super) struct OrderTree {
+    /// The units, then groups of four of them, and so on to the root.
+    levels: Vec<Vec<Node>>,
+}
+
+/// What came out about the units.
+#[derive(Debug)]
+pub(super) struct Marks {
+    /// For each level, for each node: what is known of all units below.
+    levels: Vec<Vec<u8>>,
+}
+
+/// Its path may be too near to the contour.
+const SUSPECT: u8 = 1;
+/// Its contour may be too near to the path.
+const WALL: u8 = 2;
+/// Its path is too near everywhere.
+const GOUGED: u8 = 4;
+
+impl Marks {
+    pub(super) fn is_suspect(&self, unit: usize) -> bool {
+        self.levels[0][unit] & SUSPECT != 0
+    }
+
+    pub(super) fn is_wall(&self, unit: usize) -> bool {
+        self.levels[0][unit] & WALL != 0
+    }
+
+    pub(super) fn is_gouged(&self, unit: usize) -> bool {
+        self.levels[0][unit] & GOUGED != 0
+    }
+
+    /// Marks all units below a node.
+    fn all(&mut self, level: usize, index: usize, mark: u8) {
+        if let Some(node) = self.levels[level].get_mut(index) {
+            if *node & mark == mark {
+                return;
+            }
+            *node |= mark;
+            if level > 0 {
+                for child in FAN * index..FAN * (index + 1) {
+                    self.all(level - 1, child, mark);
+                }
+            }
+        }
+    }
+
+    /// What all children of a node have in common.
+    fn refresh(&mut self, level: usize, index: usize) {
+        let below = &self.levels[level - 1];
+        let children = &below[FAN * index..below.len().min(FAN * (index + 1))];
+        let common = children.iter().fold(0xff, |common, child| common & child);
+        self.levels[level][index] |= common;
+    }
+}
+
+/// How near path and contour may come.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Limits {
+    /// From this distance on there is nothing to look at [mm].
+    pub(super) reach: f64,
+    /// Nearer than this is too near [mm].
+    pub(super) least: f64,
+}
+
+impl OrderTree {
+    pub(super) fn new(units: Vec<Node>) -> Self {
+        let mut levels = vec![units];
+        while let Some(below) = levels.last()
+            && below.len() > 1
+        {
+            let level = below.chunks(FAN).map(around).collect();
+            levels.push(level);
+        }
+        Self { levels }
+    }
+
+    pub(super) fn unit(&self, unit: usize) -> &Node {
+        &self.levels[0][unit]
+    }
+
+    /// Finds which paths may be too near to which parts of the contour: both are marked.
+    pub(super) fn marks(&self, ranges: &[Range], limits: Limits) -> Marks {
+        let marks =
+            Marks { levels: self.levels.iter().map(|level| vec![0; level.len()]).collect() };
+        let mut join = Join { tree: self, ranges, limits, marks };
+        join.within(self.levels.len() - 1, 0);
+        join.marks
+    }
+
+    /// Calls `visit` with every unit whose contour's box is nearer to `point` than `distance` [mm],
+    /// until it returns false; returns whether it never did.
+    pub(super) fn near(
+        &self,
+        point: DVec2,
+        distance: f64,
+        visit: &mut dyn FnMut(usize) -> bool,
+    ) -> bool {
+        self.near_below(self.levels.len() - 1, 0, point, distance * distance, visit)
+    }
+
+    fn near_below(
+        &self,
+        level: usize,
+        index: usize,
+        point: DVec2,
+        squared: f64,
+        visit: &mut dyn FnMut(usize) -> bool,
+    ) -> bool {
+        let around = &self.levels[level][index].contour;
+        let gap = (around.min - point).max(point - around.max).max(DVec2::ZERO);
+        if gap.length_squared() >= squared {
+            return true;
+        }
+        if level == 0 {
+            return visit(index);
+        }
+        let end = self.levels[level - 1].len().min(FAN * (index + 1));
+        (FAN * index..end).all(|child| self.near_below(level - 1, child, point, squared, visit))
+    }
+
+    /// The stretch of units around one that is tame all in all, at most `most` to each side.
+    pub(super) fn tame_around(&self, unit: usize, range: Range, most: usize) -> [usize; 2] {
+        let units = &self.levels[0];
+        let mut all = units[unit];
+        let (mut from, mut to) = (unit, unit + 1);
+        if !all.fits {
+            return [unit, unit];
+        }
+        while to < range.to && to - unit < most {
+            let wider = all.union(&units[to]);
+            if !wider.is_tame() {
+                break;
+            }
+            (all, to) = (wider, to + 1);
+        }
+        while from > range.from && unit - from < most {
+            let wider = all.union(&units[from - 1]);
+            if !wider.is_tame() {
+                break;
+            }
+            (all, from) = (wider, from - 1);
+        }
+        [from, to]
+    }
+}
+
+fn around(nodes: &[Node]) -> Node {
+    let (first, rest) = (nodes[0], &nodes[1..]);
+    rest.iter().fold(first, |all, node| all.union(node))
+}
+
+/// A walk over all pairs that may be near.
+struct Join<'a> {
+    tree: &'a OrderTree,
+    ranges: &'a [Range],
+    limits: Limits,
+    marks: Marks,
+}
+
+impl Join<'_> {
+    /// Pairs below one node.
+    fn within(&mut self, level: usize, index: usize) {
+        let node = &self.tree.levels[level][index];
+        if node.is_tame() {
+            return;
+        }
+        if level == 0 {
+            if !node.fits {
+                self.marks.levels[0][index] |= SUSPECT | WALL;
+            }
+            return;
+        }
+        let end = self.tree.levels[level - 1].len().min(FAN * (index + 1));
+        for child in FAN * index..end {
+            self.within(level - 1, child);
+            for other in child + 1..end {
+                self.pair(level - 1, child, other, [true, true]);
+            }
+        }
+        self.marks.refresh(level, index);
+    }
+
+    /// Pairs of one unit below each of two nodes, `a` before `b`; `open` tells whether the path of
+    /// `a` and whether that of `b` has still to be looked at.
+    fn pair(&mut self, level: usize, a: usize, b: usize, mut open: [bool; 2]) {
+        let nodes = &self.tree.levels[level];
+        let (node_a, node_b) = (&nodes[a], &nodes[b]);
+        open[0] = open[0] && self.is_open(level, [a, b], node_a, node_b);
+        open[1] = open[1] && self.is_open(level, [b, a], node_b, node_a);
+        if !open[0] && !open[1] || self.is_tame_pair(level, a, b) {
+            return;
+        }
+        if level == 0 {
+            for (open, [path, contour]) in open.into_iter().zip([[a, b], [b, a]]) {
+                if open {
+                    self.marks.levels[0][path] |= SUSPECT;
+                    self.marks.levels[0][contour] |= WALL;
+                }
+            }
+            return;
+        }
+        let below = self.tree.levels[level - 1].len();
+        for child in FAN * a..below.min(FAN * (a + 1)) {
+            for other in FAN * b..below.min(FAN * (b + 1)) {
+                self.pair(level - 1, child, other, open);
+            }
+        }
+        self.marks.refresh(level, a);
+        self.marks.refresh(level, b);
+    }
+
+    /// Whether the path of a node can be too near to the contour of another, and that is news.
+    fn is_open(&mut self, level: usize, [p, c]: [usize; 2], path: &Node, contour: &Node) -> bool {
+        let (on_path, on_contour) = (self.marks.levels[level][p], self.marks.levels[level][c]);
+        if on_path & GOUGED != 0 || on_path & SUSPECT != 0 && on_contour & WALL != 0 {
+            return false;
+        }
+        let (path, contour) = (&path.path, &contour.contour);
+        let apart = (path.min - contour.max).max(contour.min - path.max);
+        if apart.max(DVec2::ZERO).length_squared() >= self.limits.reach * self.limits.reach {
+            return false;
+        }
+        let least = self.limits.least;
+        let farthest = (path.max - contour.min).max(contour.max - path.min);
+        if least > 0.0 && farthest.length_squared() < least * least {
+            self.marks.all(level, p, GOUGED | SUSPECT);
+            return false;
+        }
+        true
+    }
+
+    /// Whether two nodes follow each other and are tame together.
+    fn is_tame_pair(&self, level: usize, a: usize, b: usize) -> bool {
+        let nodes = &self.tree.levels[level];
+        if !nodes[a].fits || !nodes[b].fits {
+            return false;
+        }
+        // Four to the power of the level.
+        let width = 1_usize << (2 * level);
+        let follows = a + 1 == b || {
+            // The start of a closed contour follows its end.
+            let from = a * width;
+            let to = ((b + 1) * width).min(self.tree.levels[0].len());
+            let range = self.ranges.partition_point(|range| range.to <= from);
+            self.ranges.get(range).is_some_and(|r| r.closed && r.from == from && r.to == to)
+        };
+        follows && nodes[a].octants.union(nodes[b].octants).is_narrow()
+    }
+}

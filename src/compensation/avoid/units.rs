@@ -1,0 +1,409 @@
+//! The raw material: what the contours are made of, and their whole offsets before anything is cut.
+//!
+//! Every place that a tool beside a contour can take, touching it, lies on the whole offset of some
+//! line, arc or span of a spline, or on the arc about some outside corner. At an inside corner the
+//! two offsets cross; no way round it exists, so the raw path breaks there.
+
+use glam::DVec2;
+
+use super::octants::Octants;
+use super::tree::{Node, Range};
+use crate::compensation::corner::classify;
+use crate::compensation::offset::{ArcOffset, offset_arc, offset_line, offset_span};
+use crate::compensation::run::with_start;
+use crate::compensation::{LeadStyle, Options};
+use crate::contour::{Contour, Corner, CornerKind, MoveCurve, Segment, Tool, TransitionKind};
+use crate::geometry::{Arc, Bounds, Curve, MIN_LENGTH, direction, perp};
+
+/// A contour and the tool that is to run along it.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Job<'a> {
+    pub(super) contour: &'a Contour,
+    pub(super) tool: Tool,
+}
+
+impl Job<'_> {
+    /// Whether its end is joined to its start.
+    pub(super) fn is_closed(&self) -> bool {
+        let contour = self.contour;
+        contour.is_closed() && contour.lead_in().is_none() && contour.lead_out().is_none()
+    }
+}
+
+/// What a unit is.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Kind {
+    /// A line, an arc, or the span of a spline.
+    Segment,
+    /// An outside corner, by its index.
+    Corner(u32),
+    /// An inside corner, or the gap between two contours.
+    Break,
+}
+
+/// A line, an arc, the span of a spline, or a corner behind one of those.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Unit {
+    pub(super) kind: Kind,
+    /// Index of the contour.
+    pub(super) job: u32,
+    /// Index of the segment on its contour, or of the one that leads to the corner.
+    pub(super) segment: u32,
+    /// Index of the span on its spline.
+    pub(super) span: u32,
+    /// Where its pieces end in the list of all.
+    pub(super) pieces_end: u32,
+}
+
+/// One piece of raw path.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Piece {
+    pub(super) curve: MoveCurve,
+    pub(super) unit: u32,
+    /// The piece of the same contour that starts where it ends; [`NONE`] at an inside corner.
+    pub(super) next: u32,
+}
+
+/// No index.
+pub(super) const NONE: u32 = u32::MAX;
+
+/// An outside corner.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct OutsideCorner {
+    pub(super) corner: Corner,
+    pub(super) kind: TransitionKind,
+    pub(super) angle: f64,
+}
+
+/// All contours with their raw paths.
+#[derive(Debug)]
+pub(super) struct Workpiece<'a> {
+    pub(super) jobs: &'a [Job<'a>],
+    pub(super) units: Vec<Unit>,
+    pub(super) pieces: Vec<Piece>,
+    pub(super) corners: Vec<OutsideCorner>,
+    /// The units of each contour.
+    pub(super) ranges: Vec<Range>,
+}
+
+impl<'a> Workpiece<'a> {
+    /// The raw paths along `jobs`, and what the tree is to know of each unit.
+    pub(super) fn new(jobs: &'a [Job<'a>], options: &Options) -> (Self, Vec<Node>) {
+        let spans = |job: &Job| job.contour.segments().iter().map(spans_of).sum::<usize>();
+        let count = jobs.iter().map(spans).sum();
+        let work = Self {
+            jobs,
+            units: Vec::with_capacity(count),
+            pieces: Vec::with_capacity(count),
+            corners: Vec::new(),
+            ranges: Vec::with_capacity(jobs.len()),
+        };
+        let mut maker = Maker { work, nodes: Vec::with_capacity(count), scratch: Vec::new() };
+        for (index, job) in (0..).zip(jobs) {
+            maker.job(index, job, options);
+        }
+        (maker.work, maker.nodes)
+    }
+
+    /// The segment that a unit belongs to, or that leads to it.
+    pub(super) fn segment(&self, unit: usize) -> &'a Segment {
+        let unit = &self.units[unit];
+        &self.jobs[unit.job as usize].contour.segments()[unit.segment as usize]
+    }
+
+    /// The unit's part of the contour; none for a break.
+    pub(super) fn curve(&self, unit: usize) -> Option<MoveCurve> {
+        let Unit { kind, span, .. } = self.units[unit];
+        match kind {
+            Kind::Segment => Some(match &self.segment(unit).curve {
+                Curve::Line(line) => MoveCurve::Line(*line),
+                Curve::Arc(arc) => MoveCurve::Arc(*arc),
+                Curve::Spline(spline) => MoveCurve::Cubic(spline.pieces()[span as usize]),
+            }),
+            Kind::Corner(index) => {
+                Some(MoveCurve::Vertical(self.corners[index as usize].corner.point))
+            }
+            Kind::Break => None,
+        }
+    }
+
+    /// The pieces of a unit, as indices.
+    pub(super) fn pieces_of(&self, unit: usize) -> std::ops::Range<usize> {
+        let from = if unit > 0 { self.units[unit - 1].pieces_end } else { 0 };
+        from as usize..self.units[unit].pieces_end as usize
+    }
+
+    /// The units of the contour that a unit is part of.
+    pub(super) fn range_of(&self, unit: usize) -> Range {
+        self.ranges[self.units[unit].job as usize]
+    }
+
+    /// Offsets the spans again of which `pick` holds for a piece, within `tolerance` [mm]. Returns
+    /// for each piece the unit it is new for, or its former index.
+    pub(super) fn refine(
+        &mut self,
+        tolerance: f64,
+        pick: &dyn Fn(usize) -> bool,
+    ) -> Vec<Result<usize, usize>> {
+        let former = std::mem::take(&mut self.pieces);
+        self.pieces.reserve(former.len() + former.len() / 8);
+        let mut sources = Vec::with_capacity(former.len() + former.len() / 8);
+        let (mut from, mut scratch) = (0, Vec::new());
+        let mut before = None;
+        for unit in 0..self.units.len() {
+            let to = self.units[unit].pieces_end as usize;
+            let cubic = match self.curve(unit) {
+                Some(MoveCurve::Cubic(cubic)) if (from..to).any(pick) => Some(cubic),
+                _ => None,
+            };
+            if let Some(cubic) = cubic {
+                let offset = self.jobs[self.units[unit].job as usize].tool.offset();
+                let inside = self.units[unit].span > 0;
+                scratch.clear();
+                offset_span(
+                    &cubic,
+                    offset,
+                    tolerance,
+                    before.filter(|_| inside),
+                    &mut scratch,
+                    &mut |_, _| {},
+                );
+                for &curve in &scratch {
+                    self.pieces.push(Piece { curve, unit: index(unit), next: NONE });
+                    sources.push(Ok(unit));
+                }
+            } else {
+                self.pieces.extend_from_slice(&former[from..to]);
+                sources.extend((from..to).map(Err));
+            }
+            if to > from {
+                before = Some(former[to - 1].curve.end());
+            }
+            from = to;
+            self.units[unit].pieces_end = index(self.pieces.len());
+        }
+        for range in self.ranges.clone() {
+            self.join(range, tolerance);
+        }
+        sources
+    }
+
+    /// Joins the pieces of one contour.
+    ///
+    /// Units that follow each other directly meet tangentially, so the gap between their offsets,
+    /// of rounding and of the tangent band, is closed by moving the start of the second. Elsewhere
+    /// pieces that do not meet are parted by an inside corner.
+    fn join(&mut self, range: Range, tolerance: f64) {
+        let indices = self.pieces_of_range(range);
+        let base = index(indices.start);
+        let pieces = &mut self.pieces[indices];
+        let Some(last) = pieces.len().checked_sub(1) else { return };
+        for a in 0..last + usize::from(range.closed) {
+            let b = if a < last { a + 1 } else { 0 };
+            let (end, start) = (pieces[a].curve.end(), pieces[b].curve.start());
+            let gap = end.distance(start);
+            let (unit, next) = (pieces[a].unit as usize, pieces[b].unit as usize);
+            let direct =
+                next <= unit + 1 && b > a || b <= a && unit + 1 == range.to && next == range.from;
+            if direct && gap > 0.0 && gap <= tolerance {
+                pieces[b].curve = with_start(&pieces[b].curve, end);
+            }
+            let joins = gap <= 2.0 * MIN_LENGTH || direct && gap <= tolerance;
+            pieces[a].next = if joins { base + index(b) } else { NONE };
+        }
+    }
+
+    /// The pieces of a contour, as indices.
+    pub(super) fn pieces_of_range(&self, range: Range) -> std::ops::Range<usize> {
+        self.pieces_of(range.from).start..self.pieces_of(range.to - 1).end
+    }
+}
+
+/// An index of a list; memory ends long before its range does.
+pub(super) fn index(value: usize) -> u32 {
+    u32::try_from(value).unwrap_or(NONE)
+}
+
+fn spans_of(segment: &Segment) -> usize {
+    match &segment.curve {
+        Curve::Line(_) | Curve::Arc(_) => 1,
+        Curve::Spline(spline) => spline.pieces().len(),
+    }
+}
+
+/// A workpiece in the making.
+struct Maker<'a> {
+    work: Workpiece<'a>,
+    nodes: Vec<Node>,
+    /// Pieces of one span.
+    scratch: Vec<MoveCurve>,
+}
+
+impl Maker<'_> {
+    fn job(&mut self, index: u32, job: &Job, options: &Options) {
+        let (contour, tool) = (job.contour, job.tool);
+        let segments = contour.segments();
+        let last = segments.len() - 1;
+        let first_unit = self.work.units.len();
+        let mut unit = Unit { kind: Kind::Break, job: index, segment: 0, span: 0, pieces_end: 0 };
+        if options.lead == LeadStyle::Textbook
+            && let Some(lead) = contour.lead_in()
+            && let Some(along) = direction(contour.start() - lead.point)
+        {
+            let corner = Corner {
+                point: contour.start(),
+                incoming: along,
+                outgoing: segments[0].curve.tangent(0.0),
+                incoming_curvature: 0.0,
+                outgoing_curvature: segments[0].curve.curvature(0.0),
+            };
+            self.corner(unit, corner, tool, options);
+        }
+        for (i, segment) in (0..).zip(segments) {
+            unit.segment = i;
+            self.segment(unit, segment, tool, options);
+            let at = i as usize;
+            let next = if at < last { Some(at + 1) } else { job.is_closed().then_some(0) };
+            let corner = if let Some(next) = next {
+                Some(corner_of(segment, &segments[next]))
+            } else if options.lead == LeadStyle::Textbook {
+                contour.lead_out().and_then(|lead| corner_to(segment, lead.point))
+            } else {
+                None
+            };
+            if let Some(corner) = corner {
+                self.corner(unit, corner, tool, options);
+            }
+        }
+        let to = self.work.units.len();
+        let range = Range { from: first_unit, to, closed: job.is_closed() };
+        self.work.ranges.push(range);
+        self.work.join(range, options.usable_tolerance());
+        self.add(Unit { kind: Kind::Break, ..unit }, Node::BREAK);
+    }
+
+    fn add(&mut self, unit: Unit, node: Node) {
+        let pieces_end = index(self.work.pieces.len());
+        self.work.units.push(Unit { pieces_end, ..unit });
+        self.nodes.push(node);
+    }
+
+    /// Appends pieces of the next unit; returns the box around them.
+    fn pieces(&mut self, curves: &[MoveCurve]) -> Bounds {
+        let unit = index(self.work.units.len());
+        let mut bounds = Bounds::EMPTY;
+        for &curve in curves {
+            bounds = bounds.union(curve.hull_bounds());
+            self.work.pieces.push(Piece { curve, unit, next: NONE });
+        }
+        bounds
+    }
+
+    fn segment(&mut self, unit: Unit, segment: &Segment, tool: Tool, options: &Options) {
+        let unit = Unit { kind: Kind::Segment, ..unit };
+        let offset = tool.offset();
+        match &segment.curve {
+            Curve::Line(line) => {
+                let curve = offset_line(line, offset).map(MoveCurve::Line);
+                let path = self.pieces(curve.as_slice());
+                let octants = Octants::of(line.vector());
+                self.add(unit, Node { contour: line.bounds(), path, octants, fits: true });
+            }
+            Curve::Arc(arc) => {
+                let (curve, fits) = match offset_arc(arc, offset) {
+                    ArcOffset::Arc(arc) => (Some(MoveCurve::Arc(arc)), true),
+                    ArcOffset::Point => (None, true),
+                    ArcOffset::Reversed(arc, _) => (Some(MoveCurve::Arc(arc)), false),
+                };
+                let path = self.pieces(curve.as_slice());
+                let octants = octants_of_arc(arc);
+                self.add(unit, Node { contour: arc.bounds(), path, octants, fits });
+            }
+            Curve::Spline(spline) => {
+                let mut before = None;
+                let mut scratch = std::mem::take(&mut self.scratch);
+                for (span, cubic) in (0..).zip(spline.pieces()) {
+                    scratch.clear();
+                    let tolerance = options.usable_tolerance();
+                    let fits =
+                        offset_span(cubic, offset, tolerance, before, &mut scratch, &mut |_, _| {});
+                    before = scratch.last().map_or(before, |last| Some(last.end()));
+                    let path = self.pieces(&scratch);
+                    let octants = Octants::of_cubic(cubic);
+                    let fits = fits && octants.is_narrow();
+                    let contour = cubic.hull_bounds();
+                    self.add(Unit { span, ..unit }, Node { contour, path, octants, fits });
+                }
+                self.scratch = scratch;
+            }
+        }
+    }
+
+    /// The way round a corner behind a segment, where there is one.
+    fn corner(&mut self, unit: Unit, corner: Corner, tool: Tool, options: &Options) {
+        let CornerKind::Transition { kind, angle } = classify(&corner, tool, options) else {
+            return;
+        };
+        if kind == TransitionKind::Shortened {
+            self.add(unit, Node::BREAK);
+            return;
+        }
+        let [n1, n2] = [corner.incoming, corner.outgoing]
+            .map(|tangent| corner.point + perp(tangent) * tool.offset());
+        let arc = corner_arc(n1, n2, &corner, tool.offset() > 0.0);
+        let path = self.pieces(arc.as_slice());
+        let index = index(self.work.corners.len());
+        self.work.corners.push(OutsideCorner { corner, kind, angle });
+        let octants = Octants::between(corner.incoming, corner.outgoing);
+        let contour = Bounds::of([corner.point]);
+        let node = Node { contour, path, octants, fits: true };
+        self.add(Unit { kind: Kind::Corner(index), ..unit }, node);
+    }
+}
+
+/// The arc about a corner.
+pub(super) fn corner_arc(
+    from: DVec2,
+    to: DVec2,
+    corner: &Corner,
+    clockwise: bool,
+) -> Option<MoveCurve> {
+    Arc::from_center(from, to, corner.point, clockwise, f64::INFINITY).ok().map(MoveCurve::Arc)
+}
+
+/// The corner between two segments.
+pub(super) fn corner_of(incoming: &Segment, outgoing: &Segment) -> Corner {
+    Corner {
+        point: incoming.curve.end(),
+        incoming: incoming.curve.tangent(1.0),
+        outgoing: outgoing.curve.tangent(0.0),
+        incoming_curvature: incoming.curve.curvature(1.0),
+        outgoing_curvature: outgoing.curve.curvature(0.0),
+    }
+}
+
+/// The corner between the last segment and the lead-out.
+fn corner_to(incoming: &Segment, to: DVec2) -> Option<Corner> {
+    let point = incoming.curve.end();
+    let outgoing = direction(to - point)?;
+    Some(Corner {
+        point,
+        incoming: incoming.curve.tangent(1.0),
+        outgoing,
+        incoming_curvature: incoming.curve.curvature(1.0),
+        outgoing_curvature: 0.0,
+    })
+}
+
+/// Where an arc heads: the tangents at its ends and, as it turns evenly, at every eighth of a turn
+/// between them.
+fn octants_of_arc(arc: &Arc) -> Octants {
+    let steps = (arc.sweep().abs() / std::f64::consts::FRAC_PI_4).ceil().max(1.0);
+    let mut octants = Octants::of(arc.tangent(0.0));
+    let mut k = 1.0;
+    while k <= steps {
+        octants = octants.union(Octants::of(arc.tangent(k / steps)));
+        k += 1.0;
+    }
+    octants
+}
