@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::contour::{Contour, MoveCurve};
-use crate::geometry::{Arc, Bounds, Cubic, Curve, cross};
+use crate::geometry::{Arc, Bounds, Cubic, Curve, cross, sin_cos};
 
 /// Most chords of one curve: reached only where the tolerance is absurdly fine for its size.
 const MAX_CHORDS: f64 = 100_000.0;
@@ -112,14 +112,17 @@ pub(super) fn chords(
 
 /// Number of equal chords of an arc with a sagitta `R (1 − cos(sweep / 2n))`.
 fn arc_count(arc: &Arc, sagitta: f64) -> f64 {
-    let half_angle = (1.0 - (sagitta / arc.radius()).min(1.0)).acos();
+    // acos(1 − x) by the half angle: small angles keep their digits, and one arctangent serves all of
+    // the crate.
+    let rise = (sagitta / arc.radius()).min(1.0);
+    let half_angle = 2.0 * (rise / (2.0 - rise)).sqrt().atan();
     (0.5 * arc.sweep().abs() / half_angle).ceil().max(1.0)
 }
 
 /// The sagitta of one of `count` equal chords of an arc.
 fn arc_sagitta(arc: &Arc, count: f64) -> f64 {
     // 1 − cos x = 2 sin²(x/2) keeps its digits for small angles.
-    arc.radius() * 2.0 * (0.25 * arc.sweep() / count).sin().powi(2)
+    arc.radius() * 2.0 * sin_cos(0.25 * arc.sweep() / count).0.powi(2)
 }
 
 /// Number of equal steps of a cubic with a sagitta of `max |C''| / 8 n²` at most (Wang).
