@@ -1,14 +1,21 @@
-// npm run bench: nanoseconds per type point, natively and as WebAssembly in Node.
+// npm run bench: nanoseconds per type point beside other libraries, natively and as WebAssembly in
+// Node, and bytes per type point. `npm run bench -- 1000` leaves out curves of more type points.
 import { main, run } from "./command.mjs";
 import { locked, setup, wasmTarget } from "./setup.mjs";
 
-const bench = [...locked, "--quiet", "--bench", "offset"];
+const offset = [...locked, "--quiet", "--bench", "offset"];
+const peers = [...locked, "--quiet", "--package", "peers"];
+const largest = process.argv.slice(2);
 
 main(async () => {
   await setup();
   console.log("\nnative:");
-  await run("cargo", ["bench", ...bench]);
+  await run("cargo", ["bench", ...offset]);
+  await run("cargo", ["bench", ...peers, "--bench", "race", "--", ...largest]);
+  await run("cargo", ["bench", ...peers, "--bench", "memory"]);
   console.log("\nWebAssembly in Node:");
-  // As a test, since the runner has no clock of its own to benchmark with.
-  await run("cargo", ["test", "--release", ...bench, "--target", wasmTarget, "--", "--nocapture"]);
+  // As tests, since the runner has no clock of its own to benchmark with.
+  const asTest = ["--target", wasmTarget, "--", "--nocapture"];
+  await run("cargo", ["test", "--release", ...offset, ...asTest]);
+  await run("cargo", ["test", "--release", ...peers, "--bench", "race", ...asTest]);
 });
