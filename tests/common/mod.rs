@@ -1,6 +1,8 @@
 //! What the tests share: seeded random numbers, curves evaluated independently, comparisons.
 #![allow(dead_code, reason = "each test program uses its own part")]
 
+pub(crate) mod double;
+pub(crate) mod equidistant;
 pub(crate) mod oracle;
 pub(crate) mod random;
 
