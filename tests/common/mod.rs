@@ -1,6 +1,7 @@
 //! What the tests share: seeded random numbers, curves evaluated independently, comparisons.
 #![allow(dead_code, reason = "each test program uses its own part")]
 
+pub(crate) mod curves;
 pub(crate) mod double;
 pub(crate) mod equidistant;
 pub(crate) mod oracle;

@@ -25,5 +25,6 @@ mod sketch;
 mod splines;
 mod symmetries;
 mod table;
+mod true_errors;
 mod type_points;
 mod verdict;

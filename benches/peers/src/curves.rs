@@ -1,12 +1,12 @@
 //! The curves that are raced on: type points about 5 mm apart.
 
-use std::f64::consts::TAU;
-
 use g41::compensation::{Options, avoid};
 use g41::contour::{Attributes, Contour, ContourBuilder, Shape, Side, SplineShape, Tool, ToolPath};
 use g41::diagnostic::Origin;
 use g41::geometry::{Curve, Parameter, Spline, SplineEnds};
 use glam::DVec2;
+
+use crate::type_points;
 
 /// A curve of a family, with its type points.
 #[derive(Debug, Clone)]
@@ -21,31 +21,17 @@ pub struct Sample {
     pub radii: [f64; 2],
 }
 
-/// A closed curve round a circle: `k = max(3, n / 20)` waves of 8 mm. No bend is tighter than 5 mm,
-/// all are tighter than 60 mm.
+/// The closed wave: 5 mm is nowhere too much for its bends, 60 mm everywhere.
 #[must_use]
 pub fn wave(n: usize) -> Sample {
-    let (k, middle) = ((n / 20).max(3) as f64, 5.0 * n as f64 / TAU);
-    let at = |i: usize| {
-        let angle = TAU * i as f64 / n as f64;
-        DVec2::from_angle(angle) * (middle + 8.0 * (k * angle).sin())
-    };
-    let mut points: Vec<DVec2> = (0..n).map(at).collect();
-    points.push(points[0]);
+    let points = type_points::wave(n);
     Sample { name: "wave", closed: true, points, count: n, radii: [5.0, 60.0] }
 }
 
-/// An open spiral whose turns are 40 mm apart: a tool of 25 mm does not fit between them.
+/// The open spiral: a tool of 25 mm does not fit between its turns.
 #[must_use]
 pub fn spiral(n: usize) -> Sample {
-    let growth = 40.0 / TAU;
-    let mut angle = TAU;
-    let mut points = Vec::with_capacity(n);
-    for _ in 0..n {
-        let reach = growth * angle;
-        points.push(DVec2::from_angle(angle) * reach);
-        angle += 5.0 / reach.hypot(growth);
-    }
+    let points = type_points::spiral(n);
     Sample { name: "spiral", closed: false, points, count: n, radii: [5.0, 25.0] }
 }
 

@@ -9,3 +9,5 @@ mod double;
 mod equidistant;
 pub mod race;
 pub mod truth;
+#[path = "../../../tests/common/curves.rs"]
+mod type_points;
