@@ -11,6 +11,7 @@ mod assemble;
 mod avoid;
 mod corner;
 mod lead;
+mod live;
 mod meet;
 mod offset;
 mod options;
@@ -23,6 +24,7 @@ mod type_points;
 
 pub use assemble::compensate;
 pub use avoid::{avoid, avoid_all};
+pub use live::{EditError, LiveContour, Update};
 pub use options::{
     CornerStyle, GougePolicy, LeadStyle, MIN_TOLERANCE, Options, Passes, SplineMethod, TangentBand,
 };

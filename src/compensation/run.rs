@@ -159,7 +159,7 @@ pub(super) fn part(piece: &MoveCurve, from: f64, to: f64) -> Option<MoveCurve> {
     }
 }
 
-fn reversed(piece: &MoveCurve) -> MoveCurve {
+pub(super) fn reversed(piece: &MoveCurve) -> MoveCurve {
     match piece {
         MoveCurve::Line(line) => MoveCurve::Line(line.reversed()),
         MoveCurve::Arc(arc) => MoveCurve::Arc(arc.reversed()),

@@ -108,28 +108,22 @@ impl Spline {
                 return Err(CurveError::CoincidentPoints { index: i + 1 });
             }
         }
-        let knots = knots_of(&points, parameter);
-        let total = knots[knots.len() - 1];
-        for (i, pair) in knots.windows(2).enumerate() {
-            if pair[1] - pair[0] <= LEAST_INTERVAL * total {
-                return Err(CurveError::CoincidentPoints { index: i + 1 });
-            }
+        let intervals: Vec<f64> =
+            points.windows(2).map(|pair| parameter.interval(pair[0].distance(pair[1]))).collect();
+        let total: f64 = intervals.iter().sum();
+        if let Some(i) = intervals.iter().position(|&h| h <= LEAST_INTERVAL * total) {
+            return Err(CurveError::CoincidentPoints { index: i + 1 });
         }
         let derivatives = match ends {
-            SplineEnds::Open { start, end } => open_derivatives(&points, &knots, start, end),
+            SplineEnds::Open { start, end } => open_derivatives(&points, &intervals, start, end),
             SplineEnds::Periodic => {
                 if points[0].distance(points[points.len() - 1]) >= MIN_LENGTH {
                     return Err(CurveError::NotClosed);
                 }
-                periodic_derivatives(&points, &knots)
+                periodic_derivatives(&points, &intervals)
             }
         };
-        let pieces = (0..points.len() - 1)
-            .map(|i| {
-                let h = knots[i + 1] - knots[i];
-                Cubic::hermite(points[i], derivatives[i] * h, points[i + 1], derivatives[i + 1] * h)
-            })
-            .collect();
+        let (knots, pieces) = spans_of(&points, &intervals, &derivatives);
         Ok(Self { points, knots, pieces, ends, parameter })
     }
 
@@ -141,13 +135,7 @@ impl Spline {
         derivatives: &[DVec2],
         parameter: Parameter,
     ) -> Self {
-        let mut knots = vec![0.0];
-        let mut pieces = Vec::with_capacity(intervals.len());
-        for (i, &h) in intervals.iter().enumerate() {
-            knots.push(knots[i] + h);
-            let (d0, d1) = (derivatives[i] * h, derivatives[i + 1] * h);
-            pieces.push(Cubic::hermite(points[i], d0, points[i + 1], d1));
-        }
+        let (knots, pieces) = spans_of(points, intervals, derivatives);
         let ends = SplineEnds::Open {
             start: EndCondition::Tangent(derivatives[0]),
             end: EndCondition::Tangent(derivatives[intervals.len()]),
@@ -363,16 +351,17 @@ impl Spline {
     }
 }
 
-/// Parameter values of the type points.
-fn knots_of(points: &[DVec2], parameter: Parameter) -> Vec<f64> {
+/// Parameter values of the type points, and the cubics between them.
+fn spans_of(points: &[DVec2], intervals: &[f64], derivatives: &[DVec2]) -> (Vec<f64>, Vec<Cubic>) {
     let mut knots = Vec::with_capacity(points.len());
-    let mut u = 0.0;
-    knots.push(u);
-    for pair in points.windows(2) {
-        u += parameter.interval(pair[0].distance(pair[1]));
-        knots.push(u);
+    let mut pieces = Vec::with_capacity(intervals.len());
+    knots.push(0.0);
+    for (i, &h) in intervals.iter().enumerate() {
+        knots.push(knots[i] + h);
+        let (d0, d1) = (derivatives[i] * h, derivatives[i + 1] * h);
+        pieces.push(Cubic::hermite(points[i], d0, points[i + 1], d1));
     }
-    knots
+    (knots, pieces)
 }
 
 /// The row that makes the second derivative continuous at a type point with the span `before`
@@ -388,14 +377,14 @@ pub(super) fn continuity_row(before: (DVec2, f64), after: (DVec2, f64)) -> Row {
 }
 
 /// Chord and parameter interval of span `i`.
-fn span(points: &[DVec2], knots: &[f64], i: usize) -> (DVec2, f64) {
-    (points[i + 1] - points[i], knots[i + 1] - knots[i])
+fn span(points: &[DVec2], intervals: &[f64], i: usize) -> (DVec2, f64) {
+    (points[i + 1] - points[i], intervals[i])
 }
 
 /// Derivatives at the type points of an open spline.
 fn open_derivatives(
     points: &[DVec2],
-    knots: &[f64],
+    intervals: &[f64],
     start: EndCondition,
     end: EndCondition,
 ) -> Vec<DVec2> {
@@ -403,13 +392,13 @@ fn open_derivatives(
     let mut rows = Vec::with_capacity(points.len());
     for i in 0..=last {
         rows.push(if i == 0 {
-            let (chord, h) = span(points, knots, 0);
+            let (chord, h) = span(points, intervals, 0);
             end_row(start, chord, h, false)
         } else if i == last {
-            let (chord, h) = span(points, knots, last - 1);
+            let (chord, h) = span(points, intervals, last - 1);
             end_row(end, chord, h, true)
         } else {
-            continuity_row(span(points, knots, i - 1), span(points, knots, i))
+            continuity_row(span(points, intervals, i - 1), span(points, intervals, i))
         });
     }
     solve(&rows)
@@ -435,12 +424,12 @@ pub(super) fn end_row(condition: EndCondition, chord: DVec2, h: f64, at_end: boo
 }
 
 /// Derivatives at the type points of a periodic spline, the first repeated as the last.
-fn periodic_derivatives(points: &[DVec2], knots: &[f64]) -> Vec<DVec2> {
+fn periodic_derivatives(points: &[DVec2], intervals: &[f64]) -> Vec<DVec2> {
     let spans = points.len() - 1;
     let rows: Vec<Row> = (0..spans)
         .map(|i| {
             let before = if i == 0 { spans - 1 } else { i - 1 };
-            continuity_row(span(points, knots, before), span(points, knots, i))
+            continuity_row(span(points, intervals, before), span(points, intervals, i))
         })
         .collect();
     let mut derivatives = solve_cyclic(&rows);

@@ -16,6 +16,7 @@ mod inside_corners;
 mod judge;
 mod judged;
 mod leads;
+mod live;
 mod million;
 mod policies;
 mod radii;
