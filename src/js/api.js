@@ -1,6 +1,7 @@
 // The functions of the package, the same for every way of loading it.
 import { bad } from "./check.js";
 import { call } from "./lifecycle.js";
+import { LiveContour } from "./live.js";
 import {
   contourCheckOptions,
   contourOptions,
@@ -15,7 +16,7 @@ import { Program, useProgram } from "./program.js";
 import { ToolPath, useToolPath } from "./tool_path.js";
 
 export { RECORD_STRIDE } from "./moves.js";
-export { Program, ToolPath };
+export { LiveContour, Program, ToolPath };
 
 /**
  * @param {string} text

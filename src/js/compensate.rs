@@ -70,6 +70,6 @@ fn described_index(contour: Option<&Contour>, made: usize) -> u32 {
     }
 }
 
-fn missing(path: &str) -> BadArgument {
+pub(super) fn missing(path: &str) -> BadArgument {
     BadArgument::new(path, "be given, since the contour does not say it")
 }

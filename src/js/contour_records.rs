@@ -33,8 +33,15 @@ impl Described {
         self.builder.segment(shape, Attributes::at(Origin::Segment(number)));
     }
 
-    /// Makes the contour; its leads come from its first and its last segment.
-    pub(super) fn build(mut self) -> Built {
+    /// Makes the contour.
+    pub(super) fn build(self) -> Built {
+        let (builder, closed) = self.into_builder();
+        builder.build(closed)
+    }
+
+    /// What is described, and whether it is closed; its leads come from its first and its last
+    /// segment.
+    pub(super) fn into_builder(mut self) -> (ContourBuilder, bool) {
         let count = u32::try_from(self.builder.len()).unwrap_or(u32::MAX);
         let lead =
             |number, point| Lead { point, attributes: Attributes::at(Origin::Segment(number)) };
@@ -44,7 +51,7 @@ impl Described {
         if let Some(point) = self.lead_out {
             self.builder.lead_out(lead(self.first + count.saturating_sub(1), point));
         }
-        self.builder.build(self.closed)
+        (self.builder, self.closed)
     }
 }
 
@@ -82,6 +89,16 @@ pub(super) fn read_contours(records: &[f64]) -> Result<(Vec<Described>, Numberin
         }
     }
     Ok((contours, Numbering::of(firsts)))
+}
+
+/// The segment of one record.
+pub(super) fn read_segment(record: &[f64]) -> Result<Shape, BadArgument> {
+    let mut reader = Reader { records: record, at: 0 };
+    let kind = reader.number()?;
+    match reader.shape(kind)? {
+        Some(shape) if reader.at == record.len() => Ok(shape),
+        _ => Err(bad(0, "be the record of one segment")),
+    }
 }
 
 /// What the flags of a spline add up from.

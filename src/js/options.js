@@ -17,6 +17,7 @@ const settingKeys = [
   ...["gouge", "passes", "stepover"],
 ];
 const contourKeys = new Set(["side", "radius", ...settingKeys]);
+const liveKeys = new Set(["chordTolerance", ...contourKeys]);
 const programKeys = new Set(["tools", "radius", ...settingKeys]);
 const contourCheckKeys = new Set(["radius", "tolerance"]);
 const programCheckKeys = new Set(["tools", ...contourCheckKeys]);
@@ -65,6 +66,13 @@ export function contourOptions(given = {}) {
     radius: optional(options.radius, radius, at("radius")),
     settings: settings(options),
   };
+}
+
+/** @param {unknown} given */
+export function liveOptions(given = {}) {
+  const { chordTolerance, ...options } = object(given, liveKeys, here);
+  const chord = optional(chordTolerance, toleranceAt, at("chordTolerance")) ?? defaultTolerance;
+  return { ...contourOptions(options), chord };
 }
 
 /** @param {unknown} given */

@@ -99,6 +99,18 @@ function packContour(out, given, where) {
 }
 
 /**
+ * The record of one segment.
+ *
+ * @param {unknown} given
+ */
+export function packOneSegment(given) {
+  /** @type {number[]} */
+  const out = [];
+  packSegment(out, given, () => "segment");
+  return Float64Array.from(out);
+}
+
+/**
  * @param {number[]} out
  * @param {unknown} given
  * @param {Where} where

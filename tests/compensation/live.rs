@@ -39,14 +39,12 @@ fn ring(count: usize) -> ContourBuilder {
     builder
 }
 
-/// A wavy line of type points from `from`, about 4 mm apart, towards `to`.
+/// A wavy line of type points from `from` towards `to`.
 fn wavy(from: DVec2, to: DVec2, random: &mut Random) -> Vec<DVec2> {
-    let steps = (from.distance(to) / 4.0).ceil().max(3.0);
+    let steps = 3 + random.index(30);
     let across = (to - from).perp().normalize();
-    let mut points: Vec<DVec2> = (1..)
-        .map(f64::from)
-        .take_while(|&k| k < steps)
-        .map(|k| from.lerp(to, k / steps) + across * random.within(-1.0, 1.0))
+    let mut points: Vec<DVec2> = (1..steps)
+        .map(|k| from.lerp(to, k as f64 / steps as f64) + across * random.within(-1.0, 1.0))
         .collect();
     points.push(to);
     points
