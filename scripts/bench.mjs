@@ -1,6 +1,8 @@
 // npm run bench: nanoseconds per type point beside other libraries, natively and as WebAssembly in
 // Node, and bytes per type point. `npm run bench -- 1000` leaves out curves of more type points.
+import { benchDrag } from "../benches/drag.mjs";
 import { main, run } from "./command.mjs";
+import { buildPackage } from "./package.mjs";
 import { locked, setup, wasmTarget } from "./setup.mjs";
 
 const offset = [...locked, "--quiet", "--bench", "offset"];
@@ -18,4 +20,6 @@ main(async () => {
   const asTest = ["--target", wasmTarget, "--", "--nocapture"];
   await run("cargo", ["test", "--release", ...offset, ...asTest]);
   await run("cargo", ["test", "--release", ...peers, "--bench", "race", ...asTest]);
+  await buildPackage();
+  await benchDrag();
 });
