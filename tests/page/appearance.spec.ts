@@ -1,6 +1,18 @@
 // Light and dark, wide and narrow: accessible, legible, and nothing is cut off.
-import { expect, test } from "@playwright/test";
+import { expect, type Page, test } from "@playwright/test";
 import { G41Page } from "./page";
+
+/** What axe finds to be wrong for people who use other means than eyes and mouse. */
+async function violations(page: Page): Promise<string[]> {
+  await page.addScriptTag({ path: "node_modules/axe-core/axe.min.js" });
+  return page.evaluate(async () => {
+    const { axe } = window as unknown as {
+      axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
+    };
+    const result = await axe.run();
+    return result.violations.map(({ id, nodes }) => `${id}: ${nodes.map((n) => n.html)}`);
+  });
+}
 
 for (const scheme of ["light", "dark"] as const) {
   for (const [name, width, height] of [
@@ -19,15 +31,7 @@ for (const scheme of ["light", "dark"] as const) {
       await g41.frames(3);
       await page.screenshot({ path: info.outputPath(`${scheme}-${name}.png`), fullPage: true });
 
-      await page.addScriptTag({ path: "node_modules/axe-core/axe.min.js" });
-      const violations = await page.evaluate(async () => {
-        const { axe } = window as unknown as {
-          axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
-        };
-        const result = await axe.run();
-        return result.violations.map(({ id, nodes }) => `${id}: ${nodes.map((n) => n.html)}`);
-      });
-      expect(violations).toEqual([]);
+      expect(await violations(page)).toEqual([]);
       expect(await page.evaluate(() => document.documentElement.scrollWidth)).toBeLessThanOrEqual(
         width,
       );
@@ -53,6 +57,28 @@ for (const scheme of ["light", "dark"] as const) {
         return most;
       });
       expect(contrast).toBeGreaterThan(7);
+    });
+  }
+}
+
+for (const scheme of ["light", "dark"] as const) {
+  for (const [name, width, height] of [
+    ["wide", 1440, 900],
+    ["narrow", 390, 844],
+  ] as const) {
+    test(`${scheme}, ${name}: findings and plot without violation`, async ({ page }, info) => {
+      await page.emulateMedia({ colorScheme: scheme });
+      await page.setViewportSize({ width, height });
+      const g41 = new G41Page(page);
+      await g41.open("rooms");
+      await page.getByRole("button", { name: "Deviation plot" }).click();
+      await expect(page.locator(".deviation-plot")).toHaveCount(2);
+      await page.locator(".diagnostic-uncut button").first().focus();
+      await expect(page.locator(".callout")).toBeVisible();
+      await page.screenshot({ path: info.outputPath(`findings-${name}.png`), fullPage: true });
+      expect(await violations(page)).toEqual([]);
+      const scroll = await page.evaluate(() => document.documentElement.scrollWidth);
+      expect(scroll).toBeLessThanOrEqual(width);
     });
   }
 }

@@ -47,7 +47,7 @@ export function autosave(store: Store): void {
 }
 
 /** Settings whose every value is one that the controls could have given. */
-function valid({ radius, corner, spline, tolerance }: Partial<Settings>): Settings {
+function valid({ radius, corner, spline, tolerance, gouge }: Partial<Settings>): Settings {
   const number = (value: unknown, otherwise: number) =>
     typeof value === "number" && Number.isFinite(value) && value >= 0 ? value : otherwise;
   return {
@@ -55,5 +55,6 @@ function valid({ radius, corner, spline, tolerance }: Partial<Settings>): Settin
     tolerance: Math.max(0.0001, number(tolerance, INITIAL_SETTINGS.tolerance)),
     corner: corner === "arc" ? "arc" : "linear",
     spline: spline === "type-points" ? "type-points" : "exact",
+    gouge: gouge === "avoid" || gouge === "stop" ? gouge : "report",
   };
 }

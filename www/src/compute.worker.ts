@@ -27,11 +27,12 @@ async function answer(request: Request): Promise<Reply> {
 
 function compute({ id, text, settings }: Request): Result {
   const began = performance.now();
-  const { radius, corner, spline, tolerance } = settings;
+  const { tolerance } = settings;
   const program = parseProgram(text);
   try {
-    const path = compensate(program, { radius, corner, spline, tolerance });
+    const path = compensate(program, settings);
     try {
+      const written = path.emit({ tolerance });
       return {
         id,
         text,
@@ -42,8 +43,10 @@ function compute({ id, text, settings }: Request): Result {
         records: path.records(),
         stride: RECORD_STRIDE,
         transitions: path.transitions,
-        diagnostics: path.diagnostics,
-        gcode: path.gcode({ tolerance }),
+        diagnostics: [...path.diagnostics, ...written.diagnostics],
+        gouges: path.gouges,
+        uncut: path.uncut,
+        gcode: written.text,
         milliseconds: performance.now() - began,
       };
     } finally {
@@ -58,11 +61,12 @@ function lines({ points, starts, owners }: Lines): Lines {
   return { points, starts, owners };
 }
 
-function transferables({ programmed, path, records }: Result): Transferable[] {
+function transferables({ programmed, path, records, uncut }: Result): Transferable[] {
   const arrays = [programmed, path].flatMap(({ points, starts, owners }) => [
     points,
     starts,
     owners,
   ]);
-  return [...arrays, records].map((array) => array.buffer as ArrayBuffer);
+  const outlines = uncut.map(({ outline }) => outline);
+  return [...arrays, ...outlines, records].map((array) => array.buffer as ArrayBuffer);
 }

@@ -215,4 +215,41 @@ N250 M30
 %
 `,
   },
+  {
+    id: "rooms",
+    name: "Two rooms",
+    note: "A corridor that the tool does not fit through: gouges, or what avoiding them leaves",
+    settings: { radius: 5, gouge: "avoid" },
+    text: `%
+O0043 (TWO ROOMS AND A CORRIDOR)
+N10 G17 G21 G90
+N20 G0 X22 Y26 Z5
+N30 G1 Z-2 F120
+N40 G1 G41 D1 X22 Y0 F400
+N50 X34
+N60 G3 X44 Y10 I0 J10
+N70 G1 X42 Y22
+N80 X64 Y21
+N90 X62 Y0
+N100 X92
+N110 G05 X104 Y10
+N120 X101 Y27
+N130 X106 Y42
+N140 X94 Y54
+N150 G1 X60
+N160 X63 Y29
+N170 X43 Y30
+N180 X46 Y44
+N190 G3 X34 Y54 I-11 J-1
+N200 G1 X28
+N210 G3 X16 Y54 I-6 J0
+N220 G1 X0
+N230 Y0
+N240 X22
+N250 G40
+N260 G0 Z5
+N270 M30
+%
+`,
+  },
 ];

@@ -5,6 +5,8 @@ import "./style/base.css";
 import "./style/controls.css";
 import "./style/layout.css";
 import "./style/panels.css";
+import "./style/findings.css";
+import "./style/deviation.css";
 import "./style/narrow.css";
 import { openExample } from "./actions";
 import { autosave, restore } from "./autosave";
@@ -12,8 +14,10 @@ import { ComputeClient } from "./compute-client";
 import { EXAMPLES } from "./examples";
 import { showpiece } from "./hit";
 import { connectKeys } from "./keyboard";
+import { callout } from "./panels/callout";
 import { codePanel } from "./panels/code-panel";
 import { description } from "./panels/description";
+import { deviationPanel } from "./panels/deviation-panel";
 import { diagnosticsPanel } from "./panels/diagnostics-panel";
 import { find } from "./panels/elements";
 import { galleryMenu } from "./panels/gallery-menu";
@@ -91,6 +95,13 @@ toolbar(find("toolbar"), stage, store);
 parametersPanel(find("parameters"), store);
 const showLine = codePanel(store);
 diagnosticsPanel(find("diagnostics"), stage, store, showLine);
+callout(find("stage"), stage, store);
+deviationPanel(
+  find("deviation"),
+  find("toolbar").querySelector(".view-buttons") ?? find("toolbar"),
+  stage,
+  store,
+);
 legend(find("legend"), store);
 description(find("description"), store);
 connectScheme(find("scheme"), (scheme) => stage.setScheme(scheme));

@@ -8,6 +8,8 @@ export interface Settings {
   readonly spline: "exact" | "type-points";
   /** How far the path may be from the true equidistant [mm]. */
   readonly tolerance: number;
+  /** What becomes of places where the tool does not fit. */
+  readonly gouge: "report" | "avoid" | "stop";
 }
 
 /** A parameter that is a number. */
@@ -28,7 +30,7 @@ export interface NumberParameter {
 export interface ChoiceParameter {
   readonly kind: "choice";
   /** The side is a word of the program, all else are settings. */
-  readonly key: "side" | "corner" | "spline";
+  readonly key: "side" | "corner" | "spline" | "gouge";
   readonly label: string;
   readonly choices: readonly { value: string; label: string; detail?: string }[];
   readonly hint: string;
@@ -43,6 +45,7 @@ export const INITIAL_SETTINGS: Settings = {
   corner: "linear",
   spline: "exact",
   tolerance: 0.001,
+  gouge: "report",
 };
 
 /** The table of parameters. */
@@ -87,6 +90,17 @@ export const PARAMETERS: readonly Parameter[] = [
       { value: "type-points", label: "Type points" },
     ],
     hint: "Exact: the equidistant within the tolerance. Type points: the spline through the moved type points",
+  },
+  {
+    kind: "choice",
+    key: "gouge",
+    label: "Gouges",
+    choices: [
+      { value: "report", label: "Report" },
+      { value: "avoid", label: "Avoid" },
+      { value: "stop", label: "Stop" },
+    ],
+    hint: "Where the tool does not fit. Report: it cuts too deep, and that is said. Avoid: it keeps clear, and what it leaves is shown. Stop: there is no path",
   },
   {
     kind: "number",

@@ -1,6 +1,6 @@
 // What goes to the worker and what comes back: plain data, with geometry in typed arrays.
 
-import type { Diagnostic, ProgrammedContour, Transition } from "g41";
+import type { Diagnostic, Gouge, ProgrammedContour, Transition, Uncut } from "g41";
 import type { Settings } from "./parameters";
 
 /** Polylines in one piece of memory; see `Polylines` of the package. */
@@ -36,6 +36,8 @@ export interface Result {
   readonly stride: number;
   readonly transitions: readonly Transition[];
   readonly diagnostics: readonly Diagnostic[];
+  readonly gouges: readonly Gouge[];
+  readonly uncut: readonly Uncut[];
   /** The tool path as a program for a controller. */
   readonly gcode: string;
   /** How long reading and compensating took [ms]. */

@@ -4,6 +4,7 @@ import { drawBase } from "./draw/base";
 import { drawOverlay, type Tool } from "./draw/overlay";
 import { DARK, LIGHT, type Palette } from "./draw/palette";
 import { transitionPlace } from "./draw/transition";
+import { findingAt, findingsOf } from "./findings";
 import { distance, type Point } from "./geometry";
 import { indexOf, nearestCorner, nearestOn } from "./hit";
 import { type Handle, handles, linesOf, locate, type PointRef, segmentAtLine } from "./part";
@@ -15,6 +16,8 @@ import { boxOf, fitted, panned, type Size, toScreen, toWorld, type View, zoomed 
 const TOOL_REACH = 70;
 /** How near the pointer must be to a corner to show its construction [px]. */
 const CORNER_REACH = 44;
+/** How near the pointer must be to the mark of a gouge to show it [px]. */
+const FINDING_REACH = 14;
 /** Room around the part [px]. */
 const MARGIN = 40;
 
@@ -34,6 +37,7 @@ export class Stage {
   #hoverSegment: number | undefined;
   #touch = false;
   #onView: (view: View, pointer: Point | undefined) => void;
+  #viewListeners: (() => void)[] = [];
 
   constructor(
     element: HTMLElement,
@@ -60,6 +64,11 @@ export class Stage {
   /** The size of the canvas [px]. */
   get size(): Size {
     return this.#size;
+  }
+
+  /** Tells `listener` when the picture was moved or scaled. */
+  onViewChange(listener: () => void): void {
+    this.#viewListeners.push(listener);
   }
 
   /** Chooses the light or the dark palette. */
@@ -90,7 +99,7 @@ export class Stage {
     );
   }
 
-  /** Shows the next result as a whole. */
+  /** Shows the part as a whole with the next result or the next size. */
   fitNext(): void {
     this.#fitWanted = true;
   }
@@ -132,6 +141,9 @@ export class Stage {
       const near = nearestCorner(result, toWorld(this.#view, pointer), reach);
       if (near !== undefined && near !== corner) this.#store.set({ corner: near });
     }
+    const world = pointer && toWorld(this.#view, pointer);
+    const found = result && world && findingAt(result, world, FINDING_REACH / this.#view.scale);
+    if (found?.key !== this.#store.state.finding) this.#store.set({ finding: found?.key });
     this.#onView(this.#view, pointer);
     this.redraw();
   }
@@ -165,6 +177,7 @@ export class Stage {
   #setView(view: View): void {
     this.#view = view;
     this.#onView(view, this.#pointer);
+    for (const listener of this.#viewListeners) listener();
     this.#redrawAll();
   }
 
@@ -177,7 +190,7 @@ export class Stage {
       canvas.width = Math.round(width * ratio);
       canvas.height = Math.round(height * ratio);
     }
-    if (before.width < 2) this.fit();
+    if (before.width < 2 || this.#fitWanted) this.fit();
     else
       this.#setView(panned(this.#view, (width - before.width) / 2, (height - before.height) / 2));
     this.#baseStale = true;
@@ -204,16 +217,18 @@ export class Stage {
       tool: this.#toolPlace(),
       ...this.#highlight(),
       chosen: this.#store.state.chosen,
+      finding: result && findingsOf(result).find(({ key }) => key === this.#store.state.finding),
     });
   }
 
   /** The tool stands at the corner that is shown, or follows the pointer along its path. */
   #toolPlace(): Tool | undefined {
-    const { result, corner } = this.#store.state;
+    const { result, corner, probe } = this.#store.state;
     if (!result) return undefined;
     const tool = (at: Point, line: number | undefined) => {
       return { at, radius: Math.abs(radiusOn(result, contourAt(result, line))) };
     };
+    if (probe) return tool(probe, lineOfMove(result, nearestOn(result.path, probe)?.owner ?? 0));
     const transition = corner === undefined ? undefined : result.transitions[corner];
     const there = transition && tool(transitionPlace(transition, result), lineOf(transition));
     if (!this.#pointer) return there;

@@ -1,5 +1,6 @@
 // The state of the page: an immutable document with its history, what is selected, and the result.
 
+import type { Point } from "./geometry";
 import { amend, begin, type History, record, redo, settle, undo } from "./history";
 import type { Settings } from "./parameters";
 import type { Part, PointRef } from "./part";
@@ -27,6 +28,10 @@ export interface State {
   readonly caret: number | undefined;
   /** The key of the diagnostic that was chosen in the list. */
   readonly chosen: string | undefined;
+  /** The key of the gouge or the uncut region that is looked at. */
+  readonly finding: string | undefined;
+  /** Where on its path the tool is shown, as the plot of deviations asks for it. */
+  readonly probe: Point | undefined;
 }
 
 /** Called after each change, with the state before it. */
@@ -49,6 +54,8 @@ export class Store {
       corner: undefined,
       caret: undefined,
       chosen: undefined,
+      finding: undefined,
+      probe: undefined,
     };
   }
 

@@ -4,6 +4,7 @@ import { isLeft, type Result, radiusOn } from "../result";
 import type { Size, View } from "../view";
 import { toScreen } from "../view";
 import { type Context, inMillimetres, mark, strokeLine } from "./canvas";
+import { drawFindings } from "./findings";
 import { drawGrid, drawScale } from "./grid";
 import type { Palette } from "./palette";
 import { type ClosedShape, type Shapes, shapesOf } from "./shapes";
@@ -27,6 +28,14 @@ export function drawBase(context: Context, { view, size, palette, result }: Base
     const shapes = shapesOf(result);
     inMillimetres(context, view, (px) => {
       drawMaterial(context, shapes, result, palette, px);
+    });
+    drawFindings(context, view, result, palette, shapes.closed.length > 0);
+    inMillimetres(context, view, (px) => {
+      context.lineJoin = "round";
+      context.lineCap = "round";
+      context.lineWidth = 2.25 * px;
+      context.strokeStyle = palette.contour;
+      context.stroke(shapes.contour);
       drawPath(context, shapes, palette, px);
     });
     drawTransitions(context, view, result, palette);
@@ -67,9 +76,6 @@ function drawMaterial(
     context.stroke(cut);
     context.restore();
   });
-  context.lineWidth = 2.25 * px;
-  context.strokeStyle = palette.contour;
-  context.stroke(shapes.contour);
 }
 
 /** Whether the workpiece is what a closed contour encloses. */

@@ -1,10 +1,12 @@
 // The live layer: highlighted segment, construction, tool, handles and diagnostics.
 
+import type { Finding } from "../findings";
 import type { Point } from "../geometry";
 import { type Handle, type PointRef, samePoint } from "../part";
 import { forRuns, keyOf, lineOfMove, type Result } from "../result";
 import { type Size, toScreen, type View } from "../view";
 import { type Context, dot, inMillimetres, label, strokeLine } from "./canvas";
+import { drawFinding } from "./findings";
 import type { Palette } from "./palette";
 import { addRun } from "./shapes";
 import { drawConstruction } from "./transition";
@@ -39,6 +41,8 @@ export interface OverlayScene {
   readonly lines: readonly number[];
   /** The key of the diagnostic that was chosen in the list. */
   readonly chosen: string | undefined;
+  /** The gouge or uncut region that is looked at. */
+  readonly finding: Finding | undefined;
 }
 
 /** Draws the live layer. */
@@ -49,6 +53,7 @@ export function drawOverlay(context: Context, scene: OverlayScene): void {
   if (result) {
     drawHighlight(context, scene, result);
     if (tool) drawTool(context, view, palette, tool);
+    if (scene.finding) drawFinding(context, view, palette, scene.finding);
   }
   drawHandles(context, scene);
   const transition = corner === undefined ? undefined : result?.transitions[corner];

@@ -21,6 +21,8 @@ export interface Palette {
   readonly contour: string;
   readonly swept: string;
   readonly gouged: string;
+  readonly uncut: string;
+  readonly uncutFill: string;
   readonly path: string;
   readonly free: string;
   readonly tool: string;
@@ -45,6 +47,8 @@ export const LIGHT: Palette = {
   contour: "#1b2430",
   swept: "rgba(0, 128, 115, 0.085)",
   gouged: "rgba(208, 32, 42, 0.42)",
+  uncut: "#8a6100",
+  uncutFill: "rgba(214, 158, 20, 0.16)",
   path: "#00786c",
   free: "#7f8a83",
   tool: "#00594f",
@@ -73,6 +77,8 @@ export const DARK: Palette = {
   contour: "#eef2f6",
   swept: "rgba(64, 214, 190, 0.09)",
   gouged: "rgba(255, 82, 82, 0.5)",
+  uncut: "#e0b656",
+  uncutFill: "rgba(224, 182, 86, 0.14)",
   path: "#45d4be",
   free: "#788490",
   tool: "#8debdc",

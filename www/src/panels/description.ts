@@ -1,6 +1,7 @@
 // The state in words, for those who do not see the picture.
 
 import { format } from "../expression";
+import { findingsOf } from "../findings";
 import { describePoint, locate } from "../part";
 import type { State, Store } from "../state";
 
@@ -37,6 +38,14 @@ export function describe({ result, selection, history, failure }: State): string
   sentences.push(
     `Transitions: ${count("shortened")} shortened, ${count("elongated")} elongated, ${count("inserted")} inserted.`,
   );
+  const findings = findingsOf(result);
+  const [deepest] = findings.filter((finding) => finding.kind === "gouge");
+  if (deepest) sentences.push(`The deepest gouge is ${deepest.title}.`);
+  const uncut = findings.flatMap((finding) => (finding.kind === "uncut" ? [finding.area] : []));
+  if (uncut.length > 0) {
+    const area = uncut.reduce((sum, each) => sum + each, 0);
+    sentences.push(`${format(area)} mm² stay uncut, in ${uncut.length} places.`);
+  }
   const { diagnostics } = result;
   if (diagnostics.length > 0) {
     const first = diagnostics[0]?.message ?? "";

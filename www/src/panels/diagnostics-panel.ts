@@ -1,15 +1,36 @@
-// The list of diagnostics; a click shows the place of one in the picture and in the text.
+// The list of diagnostics and of what is not reached; a click shows the place of one in the picture
+// and in the text, and while the pointer or the focus is on it, its measure.
 
 import type { Diagnostic } from "g41";
-import { keyOf, lineOf } from "../result";
+import { format } from "../expression";
+import { type Finding, findingOf, findingsOf, linesInWords, type UncutPlace } from "../findings";
+import type { Point } from "../geometry";
+import { keyOf, lineOf, type Result } from "../result";
 import type { Stage } from "../stage";
 import type { Store } from "../state";
 import { element } from "./elements";
 
-const MARKS = { error: "Error", warning: "Warning", info: "Note" } as const;
+const MARKS = { error: "Error", warning: "Warning", info: "Note", uncut: "Uncut" } as const;
 
 /** No list is readable that is longer than this. */
 const MOST = 100;
+
+/** Of what is not reached, only the largest are worth a row each. */
+const MOST_UNCUT = 12;
+
+/** One row of the list. */
+interface Row {
+  /** What tells it from the others. */
+  readonly key: string;
+  readonly kind: keyof typeof MARKS;
+  readonly message: string;
+  /** Place, number and advice. */
+  readonly more: readonly string[];
+  readonly line: number | undefined;
+  readonly at: Point | undefined;
+  /** What it lets look at in the picture. */
+  readonly finding: string | undefined;
+}
 
 /** Fills the list of diagnostics and keeps it true to the result. */
 export function diagnosticsPanel(
@@ -22,42 +43,38 @@ export function diagnosticsPanel(
   const list = element("ul");
   section.append(summary, list);
 
-  const choose = (diagnostic: Diagnostic) => {
-    store.set({ chosen: keyOf(diagnostic), selection: undefined, caret: undefined });
-    if (diagnostic.at) stage.reveal(diagnostic.at);
-    const line = lineOf(diagnostic);
+  const choose = ({ key, at, line }: Row) => {
+    store.set({ chosen: key, selection: undefined, caret: undefined });
+    if (at) stage.reveal(at);
     if (line !== undefined) showLine(line);
   };
 
-  const row = (diagnostic: Diagnostic) => {
-    const button = element("button", { type: "button", "data-key": keyOf(diagnostic) });
-    const line = lineOf(diagnostic);
-    const place = line === undefined ? "" : `line ${line}`;
-    const deep = diagnostic.severity !== "info" && diagnostic.depth !== undefined;
-    const depth = deep ? `${diagnostic.depth?.toFixed(3)} mm deep` : "";
+  const item = (row: Row) => {
+    const button = element("button", { type: "button", "data-key": row.key });
     button.append(
-      element("span", { class: "severity" }, MARKS[diagnostic.severity]),
-      element("span", { class: "message" }, diagnostic.message),
-      element(
-        "small",
-        { class: "place" },
-        [place, depth, diagnostic.hint].filter(Boolean).join(" · "),
-      ),
+      element("span", { class: "severity" }, MARKS[row.kind]),
+      element("span", { class: "message" }, row.message),
+      element("small", { class: "place" }, row.more.filter(Boolean).join(" · ")),
     );
-    button.addEventListener("click", () => choose(diagnostic));
-    return element("li", { class: `diagnostic diagnostic-${diagnostic.severity}` }, button);
+    button.addEventListener("click", () => choose(row));
+    for (const name of ["focus", "pointerenter"]) {
+      button.addEventListener(name, () => store.set({ finding: row.finding }));
+    }
+    for (const name of ["blur", "pointerleave"]) {
+      button.addEventListener(name, () => store.set({ finding: undefined }));
+    }
+    return element("li", { class: `diagnostic diagnostic-${row.kind}` }, button);
   };
 
   let shown = "";
   const show = () => {
     const { result, failure, chosen } = store.state;
-    const diagnostics = result?.diagnostics ?? [];
-    section.dataset.empty = String(diagnostics.length === 0 && !failure);
-    summary.textContent = failure ?? (result ? summarize(diagnostics) : "Loading …");
+    const rows = result ? rowsOf(result) : [];
+    section.dataset.empty = String(rows.length === 0 && !failure);
+    summary.textContent = failure ?? (result ? summarize(result) : "Loading …");
     // Rows are kept while they say the same, and with them the focus.
-    const rows = diagnostics.slice(0, MOST);
-    const key = rows.map(keyOf).join();
-    if (key !== shown) list.replaceChildren(...rows.map(row));
+    const key = JSON.stringify(rows);
+    if (key !== shown) list.replaceChildren(...rows.map(item));
     shown = key;
     for (const button of list.querySelectorAll("button")) {
       button.setAttribute("aria-pressed", String(button.dataset.key === chosen));
@@ -70,13 +87,75 @@ export function diagnosticsPanel(
   show();
 }
 
-function summarize(diagnostics: readonly Diagnostic[]): string {
-  if (diagnostics.length === 0) return "Nothing found: no gouges at bends and corners.";
+/** What is listed: diagnostics, gouges that none of them is about, and what is not reached. */
+function rowsOf(result: Result): Row[] {
+  const diagnostics = result.diagnostics.slice(0, MOST);
+  const told = new Set<string>();
+  const rows = diagnostics.map((diagnostic) => {
+    const finding = findingOf(result, diagnostic);
+    if (finding) told.add(finding.key);
+    return diagnosticRow(diagnostic, finding);
+  });
+  const [gouges, uncut] = split(findingsOf(result));
+  const untold = gouges.filter(({ key }) => !told.has(key)).slice(0, MOST - rows.length);
+  return [
+    ...rows,
+    ...untold.map((finding) => findingRow(finding, "error")),
+    ...uncut.slice(0, MOST_UNCUT).map((finding) => findingRow(finding, "uncut")),
+  ];
+}
+
+function diagnosticRow(diagnostic: Diagnostic, finding: Finding | undefined): Row {
+  const { severity, message, depth, hint, at } = diagnostic;
+  const line = lineOf(diagnostic);
+  const lines = finding?.lines ?? (line === undefined ? [] : [line]);
+  const deep = severity !== "info" && depth !== undefined;
+  return {
+    key: keyOf(diagnostic),
+    kind: severity,
+    message,
+    more: [linesInWords(lines), deep ? `${depth.toFixed(3)} mm deep` : "", hint ?? ""],
+    line,
+    at,
+    finding: finding?.key,
+  };
+}
+
+function findingRow(finding: Finding, kind: "error" | "uncut"): Row {
+  const { key, title, reason, lines, at } = finding;
+  const hint = kind === "uncut" ? "a smaller tool reaches more of it" : "use a smaller tool";
+  return {
+    key,
+    kind,
+    message: `${title}: ${reason}`,
+    more: [hint],
+    line: lines[0],
+    at,
+    finding: key,
+  };
+}
+
+function split(findings: readonly Finding[]): [Finding[], UncutPlace[]] {
+  const gouges = findings.filter(({ kind }) => kind === "gouge");
+  return [gouges, findings.filter((finding) => finding.kind === "uncut")];
+}
+
+function summarize(result: Result): string {
+  const { diagnostics } = result;
+  const [gouges, uncut] = split(findingsOf(result));
   const parts = (["error", "warning", "info"] as const).flatMap((severity) => {
     const count = diagnostics.filter((diagnostic) => diagnostic.severity === severity).length;
     if (count === 0) return [];
     return `${count} ${MARKS[severity].toLowerCase()}${count === 1 ? "" : "s"}`;
   });
-  const more = diagnostics.length > MOST ? `; the first ${MOST} are listed` : "";
-  return parts.join(", ") + more;
+  if (diagnostics.length > MOST) parts.push(`the first ${MOST} are listed`);
+  const [deepest] = gouges;
+  if (deepest) parts.push(`${gouges.length} gouge${gouges.length === 1 ? "" : "s"}`);
+  if (uncut.length > 0) {
+    const area = uncut.reduce((sum, region) => sum + region.area, 0);
+    const places = `${uncut.length} place${uncut.length === 1 ? "" : "s"}`;
+    const listed = uncut.length > MOST_UNCUT ? `, the largest ${MOST_UNCUT} listed` : "";
+    parts.push(`${format(area)} mm² uncut in ${places}${listed}`);
+  }
+  return parts.length > 0 ? parts.join(", ") : "Nothing found: no gouges.";
 }

@@ -1,6 +1,7 @@
 // The legend: what the lines and marks of the picture mean, and how many corners take each kind.
 
 import type { Transition } from "g41";
+import { findingsOf } from "../findings";
 import type { Store } from "../state";
 import { element } from "./elements";
 
@@ -24,16 +25,24 @@ const SWATCHES: readonly (readonly [name: string, kind: string, drawing: string]
     "inserted",
     '<path d="M1 7h32" stroke-width="4" stroke-dasharray="3 3"/><path class="solid" d="m17 2 5.5 9.5h-11z"/>',
   ],
+  ["Gouge", "gouge", '<path class="tint" d="M1 1h32v12H1z"/><path d="M1 1h32" stroke-width="2"/>'],
+  [
+    "Uncut",
+    "uncut",
+    '<path d="M1 1h32v12H1zM1 9l8-8M5 13 17 1M13 13 25 1M21 13 33 1M29 13l4-4" stroke-width="1"/>',
+  ],
 ];
 
 /** Fills the legend and counts the transitions in it. */
 export function legend(list: HTMLElement, store: Store): void {
   const counts = new Map<string, HTMLElement>();
+  const items = new Map<string, HTMLElement>();
   for (const [name, kind, drawing] of SWATCHES) {
     const item = element("li", { class: `swatch swatch-${kind}` });
     item.innerHTML = `<svg viewBox="0 0 34 14" width="34" height="14" aria-hidden="true">${drawing}</svg>`;
     const count = element("small");
     counts.set(kind, count);
+    items.set(kind, item);
     item.append(element("span", {}, name), count);
     list.append(item);
   }
@@ -43,6 +52,13 @@ export function legend(list: HTMLElement, store: Store): void {
       const count = result.transitions.filter((transition) => transition.kind === kind).length;
       const place = counts.get(kind);
       if (place) place.textContent = String(count);
+    }
+    const findings = findingsOf(result);
+    for (const kind of ["gouge", "uncut"]) {
+      const count = findings.filter((finding) => finding.kind === kind).length;
+      const [place, item] = [counts.get(kind), items.get(kind)];
+      if (place) place.textContent = String(count);
+      if (item) item.hidden = count === 0;
     }
   });
 }

@@ -1,0 +1,128 @@
+// Gouges and what is left uncut: chosen, shaded, listed, and told with reason and numbers.
+import { expect, type Page, test } from "@playwright/test";
+import { G41Page, type Point } from "./page";
+
+/** In the corridor between the two rooms. */
+const CORRIDOR: Point = [53, 25.5];
+
+const choose = (page: Page, name: string) =>
+  page.getByRole("group", { name: "Gouges" }).getByRole("radio", { name }).check();
+
+/** How many pixels of the static layer around a place have a colour that asks for attention. */
+async function reddish(g41: G41Page, [x, y]: Point, reach: number): Promise<number> {
+  const box = await g41.base.boundingBox();
+  if (!box) throw new Error("the canvas is not shown");
+  return g41.base.evaluate(
+    (element, [px, py, r]) => {
+      const canvas = element as HTMLCanvasElement;
+      const scale = canvas.width / canvas.clientWidth;
+      const data = canvas
+        .getContext("2d")
+        ?.getImageData((px - r) * scale, (py - r) * scale, 2 * r * scale, 2 * r * scale).data;
+      let count = 0;
+      for (let i = 0; data && i < data.length; i += 4) {
+        const [red, green, blue] = [data[i] ?? 0, data[i + 1] ?? 0, data[i + 2] ?? 0];
+        if (red > green + 40 && red > blue + 40) count += 1;
+      }
+      return count;
+    },
+    [x - box.x, y - box.y, reach] as const,
+  );
+}
+
+test("avoided, the corridor is hatched, listed first, and told with its area", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open("rooms");
+  await expect(page.locator("#diagnostics .summary")).toHaveText(/mm² uncut in \d+ places/);
+  const rows = page.locator(".diagnostic-uncut");
+  await expect(rows.first()).toContainText(/^Uncut1\d\d\.\d+ mm² uncut: the tool \(radius 5 mm\)/);
+  await expect(page.locator("#legend li", { hasText: "Uncut" })).toBeVisible();
+  const callout = page.locator(".callout");
+  await expect(callout).toBeHidden();
+  const place = await g41.locator();
+  await page.mouse.move(...place(CORRIDOR));
+  await expect(callout).toBeVisible();
+  await expect(callout).toContainText(/1\d\d\.\d+ mm² uncut/);
+  await expect(callout).toContainText(/does not fit at lines \d+ to \d+/);
+  await page.mouse.move(...place([20, 25]));
+  await expect(callout).toBeHidden();
+  expect(g41.errors).toEqual([]);
+});
+
+test("a row shows its region to the pointer and to the keyboard", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open("rooms");
+  const row = page.locator(".diagnostic-uncut button").first();
+  await row.hover();
+  await expect(page.locator(".callout")).toBeVisible();
+  await g41.canvas.hover({ position: { x: 5, y: 5 } });
+  await expect(page.locator(".callout")).toBeHidden();
+  await row.focus();
+  await expect(page.locator(".callout")).toBeVisible();
+  await page.keyboard.press("Enter");
+  await expect(row).toHaveAttribute("aria-pressed", "true");
+});
+
+test("reported, the walls of the corridor are red, and nothing is uncut", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open("rooms");
+  const wall: Point = [53, 30.3];
+  expect(await reddish(g41, (await g41.locator())(wall), 4)).toBe(0);
+  await choose(page, "Report");
+  await expect(page.locator(".diagnostic-uncut")).toHaveCount(0);
+  await g41.settled();
+  expect(await reddish(g41, (await g41.locator())(wall), 4)).toBeGreaterThan(30);
+});
+
+test("a bend that is too tight is told with its depth, at its place", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open("letter");
+  const field = page.getByLabel("Tool radius in mm");
+  await field.fill("9");
+  await field.press("Enter");
+  const row = page.locator(".diagnostic-error button").first();
+  await expect(row).toContainText(/line \d+.*mm deep/);
+  const depth = /(\d+\.\d+) mm deep/.exec((await row.textContent()) ?? "")?.[1];
+  await row.hover();
+  await expect(page.locator(".callout strong")).toContainText("mm too deep");
+  const told = /([\d.]+) mm too deep/.exec((await page.locator(".callout").textContent()) ?? "");
+  expect(Number(told?.[1])).toBeCloseTo(Number(depth), 3);
+  await choose(page, "Avoid");
+  await expect(page.locator(".diagnostic-uncut").first()).toBeVisible();
+  await expect(row).not.toContainText("bends");
+});
+
+test("stopped, there is no path, and the reason is said", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open("letter");
+  await choose(page, "Stop");
+  await g41.settled();
+  await expect(g41.output).toHaveValue(/^G1 /m);
+  const field = page.getByLabel("Tool radius in mm");
+  await field.fill("9");
+  await field.press("Enter");
+  await expect(g41.output).not.toHaveValue(/^G1 /m);
+  await expect(page.locator(".diagnostic-error").last()).toContainText("would gouge");
+  expect(g41.errors).toEqual([]);
+});
+
+test("pieces are crossed above the part, or the program ends and says so", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open("rooms");
+  await expect(g41.output).toHaveValue(/^G0 Z5\nX[\d.]+ Y[\d.]+\nG1 Z-2 F120$/m);
+  await expect(page.locator(".diagnostic-error")).toHaveCount(0);
+  const text = await g41.program.inputValue();
+  await g41.program.fill(text.replace(" Z5\n", "\n").replace("G0 Z5\n", "M9\n"));
+  await expect(page.locator(".diagnostic-error")).toContainText("no height is known");
+  await expect(g41.output).not.toHaveValue(/X9\d/);
+});
+
+test("the choice is kept over a reload", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  await choose(page, "Avoid");
+  await g41.settled();
+  await page.waitForTimeout(600);
+  await page.reload();
+  await expect(page.getByRole("radio", { name: "Avoid" })).toBeChecked();
+});
