@@ -18,12 +18,17 @@ export function openExample(store: Store, example: Example): void {
   store.set({ corner: undefined, selection: undefined, chosen: undefined });
 }
 
+/** Where a point is put that is moved to a place: at a multiple of a step [mm]. */
+export function rounded(to: Point, step = FINEST): Point {
+  return [roundTo(to[0], step), roundTo(to[1], step)];
+}
+
 /** Moves a point; the steps of one gesture are undone together. */
 export function move(store: Store, ref: PointRef, to: Point, gesture: string, step = FINEST): void {
-  const rounded: Point = [roundTo(to[0], step), roundTo(to[1], step)];
+  const at = rounded(to, step);
   const now = locate(store.document.part, ref);
-  if (!now || (now[0] === rounded[0] && now[1] === rounded[1])) return;
-  apply(store, movePoint(store.document.part, ref, rounded), ref.contour, gesture, ref);
+  if (!now || (now[0] === at[0] && now[1] === at[1])) return;
+  apply(store, movePoint(store.document.part, ref, at), ref.contour, gesture, ref);
 }
 
 /** Inserts a point on a segment and selects it. */

@@ -1,5 +1,6 @@
 // What lies under the pointer: segments of contours, places on the tool path, corners.
 
+import { trackOf } from "./draw/track";
 import { transitionPlace } from "./draw/transition";
 import { distance, nearestOnLine, type Point } from "./geometry";
 import type { Part } from "./part";
@@ -16,17 +17,20 @@ export interface Nearest {
   readonly t: number;
 }
 
-/** The place on polylines that is nearest to a point. */
-export function nearestOn(lines: Lines, p: Point): Nearest | undefined {
+/** The place on polylines that is nearest to a point, if any is nearer than `within` [mm]. */
+export function nearestOn(lines: Lines, p: Point, within = Infinity): Nearest | undefined {
   const starts = new Set(lines.starts);
   let best: Nearest | undefined;
-  for (let i = 1; 2 * i + 1 < lines.points.length; i += 1) {
-    if (starts.has(i)) continue;
-    const near = nearestOnLine(p, vertexOf(lines, i - 1), vertexOf(lines, i));
-    const d = distance(near.point, p);
-    if (best && d >= best.distance) continue;
-    best = { ...near, owner: lines.owners[i] as number, distance: d, vertex: i };
-  }
+  const reach = () => best?.distance ?? within;
+  trackOf(lines.points).near(p, reach, (first, end) => {
+    for (let i = first + 1; i <= end; i += 1) {
+      if (starts.has(i)) continue;
+      const near = nearestOnLine(p, vertexOf(lines, i - 1), vertexOf(lines, i));
+      const d = distance(near.point, p);
+      if (d >= reach()) continue;
+      best = { ...near, owner: lines.owners[i] as number, distance: d, vertex: i };
+    }
+  });
   return best;
 }
 

@@ -14,6 +14,8 @@ import { ComputeClient } from "./compute-client";
 import { EXAMPLES } from "./examples";
 import { showpiece } from "./hit";
 import { connectKeys } from "./keyboard";
+import { Drag } from "./live/drag";
+import { LiveClient } from "./live/live-client";
 import { callout } from "./panels/callout";
 import { codePanel } from "./panels/code-panel";
 import { description } from "./panels/description";
@@ -61,6 +63,7 @@ function take(result: Result): void {
   const corner =
     known === undefined || known >= result.transitions.length ? showpiece(result) : known;
   store.set({ result, failure: undefined, corner: cornerOfSelection(result) ?? corner });
+  drag.take(result);
 }
 
 /** The transition at the selected point. */
@@ -73,6 +76,13 @@ function cornerOfSelection(result: Result): number | undefined {
   );
   return index < 0 ? undefined : index;
 }
+
+const liveClient = new LiveClient((live) => {
+  // What was dragged last may be written and computed by now.
+  const isBehind = store.state.result?.text !== store.document.text;
+  if (drag.isAhead || isBehind) store.set({ live });
+});
+const drag = new Drag(store, liveClient);
 
 const client = new ComputeClient(
   take,
@@ -89,7 +99,7 @@ store.subscribe((state, before) => {
   }
 });
 
-connectPointers(stage, store);
+connectPointers(stage, store, drag);
 connectKeys(stage, store);
 toolbar(find("toolbar"), stage, store);
 parametersPanel(find("parameters"), store);

@@ -123,11 +123,17 @@ export function isCircle(contour: Contour, index: number): boolean {
   return segment?.kind === "arc" && coincide(startOf(contour, index), segment.end.at);
 }
 
+const known = new WeakMap<Part, readonly Handle[]>();
+
 /** All points of a part that can be moved, in the order of the program. */
-export function handles(part: Part): Handle[] {
-  return part.contours.flatMap((contour, c) =>
+export function handles(part: Part): readonly Handle[] {
+  const before = known.get(part);
+  if (before) return before;
+  const list = part.contours.flatMap((contour, c) =>
     contour.editable ? contourHandles(contour, c) : [],
   );
+  known.set(part, list);
+  return list;
 }
 
 function contourHandles(contour: Contour, c: number): Handle[] {

@@ -1,8 +1,9 @@
 // Mouse, pen and touch on the canvas: drag points, pan, pinch, insert.
 
-import { insert, move } from "./actions";
+import { insert } from "./actions";
 import { distance, type Point, roundTo } from "./geometry";
 import { nearestOn, segmentAt, typePointAfter } from "./hit";
+import type { Drag } from "./live/drag";
 import { nearestHandle, type PointRef, pointAtLine } from "./part";
 import type { Stage } from "./stage";
 import type { Store } from "./state";
@@ -26,7 +27,7 @@ type Gesture =
   | { kind: "pinch" };
 
 /** Connects the pointers to the stage and the store. */
-export function connectPointers(stage: Stage, store: Store): void {
+export function connectPointers(stage: Stage, store: Store, drag: Drag): void {
   const canvas = stage.overlay;
   const pointers = new Map<number, Point>();
   let gesture: Gesture | undefined;
@@ -45,8 +46,8 @@ export function connectPointers(stage: Stage, store: Store): void {
   const segmentNear = (at: Point, reach: number) => {
     const { result } = store.state;
     if (!result || result.text !== store.document.text) return undefined;
-    const near = nearestOn(result.programmed, toWorld(stage.view, at));
-    return near && near.distance * stage.view.scale <= reach ? near : undefined;
+    const within = reach / stage.view.scale;
+    return nearestOn(result.programmed, toWorld(stage.view, at), within * (1 + 1e-9));
   };
 
   const insertAt = (at: Point, reach: number): void => {
@@ -78,6 +79,7 @@ export function connectPointers(stage: Stage, store: Store): void {
     canvas.focus({ preventScroll: true });
     if (pointers.size > 1) {
       gesture = { kind: "pinch" };
+      drag.end();
       store.settle();
       return;
     }
@@ -114,12 +116,15 @@ export function connectPointers(stage: Stage, store: Store): void {
     if (gesture?.kind === "pinch") {
       pinch(event.pointerId, before, at);
     } else if (gesture?.kind === "point") {
-      gesture.moved ||= distance(at, gesture.from) > SLACK[device(event)];
+      if (!gesture.moved && distance(at, gesture.from) > SLACK[device(event)]) {
+        gesture.moved = true;
+        drag.begin(gesture.ref);
+      }
       if (gesture.moved) {
         canvas.style.cursor = "grabbing";
         const to = toWorld(stage.view, [at[0] + gesture.grip[0], at[1] + gesture.grip[1]]);
         const step = event.altKey ? undefined : dragStep(stage.view.scale);
-        move(store, gesture.ref, to, gesture.name, step);
+        drag.step(gesture.ref, to, gesture.name, step);
       }
       stage.point(at, gesture.ref, undefined, event.pointerType === "touch");
     } else if (gesture?.kind === "pan") {
@@ -150,6 +155,7 @@ export function connectPointers(stage: Stage, store: Store): void {
     }
     gesture = undefined;
     canvas.style.cursor = "";
+    drag.end();
     store.settle();
     const at = place(event);
     if (ended?.kind === "pan" && !ended.moved && event.type === "pointerup") tap(event, at);

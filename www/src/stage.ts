@@ -3,11 +3,20 @@
 import { drawBase } from "./draw/base";
 import { drawOverlay, type Tool } from "./draw/overlay";
 import { DARK, LIGHT, type Palette } from "./draw/palette";
+import { isLarge } from "./draw/shapes";
 import { transitionPlace } from "./draw/transition";
 import { findingAt, findingsOf } from "./findings";
 import { distance, type Point } from "./geometry";
 import { indexOf, nearestCorner, nearestOn } from "./hit";
-import { type Handle, handles, linesOf, locate, type PointRef, segmentAtLine } from "./part";
+import {
+  type Handle,
+  handles,
+  linesOf,
+  locate,
+  type PointRef,
+  samePoint,
+  segmentAtLine,
+} from "./part";
 import { contourAt, lineOf, lineOfMove, radiusOn } from "./result";
 import type { State, Store } from "./state";
 import { boxOf, fitted, panned, type Size, toScreen, toWorld, type View, zoomed } from "./view";
@@ -20,6 +29,8 @@ const CORNER_REACH = 44;
 const FINDING_REACH = 14;
 /** Room around the part [px]. */
 const MARGIN = 40;
+/** More points than this are a smear; then only those that are taken hold of show. */
+const MOST_HANDLES = 500;
 
 /** Shows the state on a pair of canvases. */
 export class Stage {
@@ -149,9 +160,24 @@ export class Stage {
   }
 
   /** The points that can be moved now. */
-  handles(): Handle[] {
+  handles(): readonly Handle[] {
     const { text, part, partText } = this.#store.document;
     return text === partText ? handles(part) : [];
+  }
+
+  /** The points that can be moved and seen, where they are now; too many of them say nothing. */
+  #visibleHandles(): readonly Handle[] {
+    const { live, selection } = this.#store.state;
+    const [x0, y1] = toWorld(this.#view, [-MARGIN, -MARGIN]);
+    const [x1, y0] = toWorld(this.#view, [this.#size.width + MARGIN, this.#size.height + MARGIN]);
+    const seen: Handle[] = [];
+    for (const handle of this.handles()) {
+      const [x, y] = handle.at;
+      if (x < x0 || x > x1 || y < y0 || y > y1) continue;
+      seen.push(live && samePoint(handle.ref, live.ref) ? live : handle);
+    }
+    if (seen.length <= MOST_HANDLES) return seen;
+    return seen.filter(({ ref }) => samePoint(ref, selection) || samePoint(ref, this.#hover));
   }
 
   /** Draws the live layer with the next frame. */
@@ -160,6 +186,7 @@ export class Stage {
   }
 
   #changed(state: State, before: State): void {
+    if (state.live !== before.live) this.#baseStale = true;
     if (state.result !== before.result) {
       this.#baseStale = true;
       if (this.#fitWanted && state.result && state.result.text === this.#store.document.text) {
@@ -200,15 +227,15 @@ export class Stage {
 
   #draw(): void {
     this.#frame = 0;
-    const { result } = this.#store.state;
+    const { result, live } = this.#store.state;
     const common = { view: this.#view, size: this.#size, palette: this.#palette, result };
     if (this.#baseStale) {
       this.#baseStale = false;
-      drawBase(context(this.#base), common);
+      drawBase(context(this.#base), { ...common, live });
     }
     drawOverlay(context(this.overlay), {
       ...common,
-      handles: this.handles(),
+      handles: this.#visibleHandles(),
       selection: this.#store.state.selection,
       hover: this.#hover,
       focused: document.activeElement === this.overlay,
@@ -234,14 +261,16 @@ export class Stage {
     if (!this.#pointer) return there;
     const pointer = toWorld(this.#view, this.#pointer);
     if (there && distance(there.at, pointer) * this.#view.scale < 16) return there;
-    const near = nearestOn(result.path, pointer);
-    if (!near || near.distance * this.#view.scale >= TOOL_REACH) return there;
+    const near = nearestOn(result.path, pointer, TOOL_REACH / this.#view.scale);
+    if (!near) return there;
     return tool(near.point, lineOfMove(result, near.owner));
   }
 
   #highlight(): { segment: number | undefined; lines: readonly number[] } {
     const { part } = this.#store.document;
-    const { selection, caret } = this.#store.state;
+    const { selection, caret, result } = this.#store.state;
+    // A segment of very many spans would take longer to highlight than to draw.
+    if (result && isLarge(result)) return { segment: undefined, lines: [] };
     const own = (contour: number, segment: number) => ({
       segment: indexOf(part, contour, segment),
       lines: linesOf(part.contours[contour]?.segments[segment] ?? { kind: "spline", points: [] }),

@@ -2,6 +2,7 @@
 
 import type { Point } from "./geometry";
 import { amend, begin, type History, record, redo, settle, undo } from "./history";
+import type { LivePicture } from "./live/picture";
 import type { Settings } from "./parameters";
 import type { Part, PointRef } from "./part";
 import type { Result } from "./result";
@@ -32,6 +33,8 @@ export interface State {
   readonly finding: string | undefined;
   /** Where on its path the tool is shown, as the plot of deviations asks for it. */
   readonly probe: Point | undefined;
+  /** The contour that is dragged, as long as it is ahead of the result. */
+  readonly live: LivePicture | undefined;
 }
 
 /** Called after each change, with the state before it. */
@@ -56,6 +59,7 @@ export class Store {
       chosen: undefined,
       finding: undefined,
       probe: undefined,
+      live: undefined,
     };
   }
 

@@ -31,7 +31,7 @@ export interface Margins {
   readonly bottom: number;
 }
 
-const MIN_SCALE = 0.02;
+const MIN_SCALE = 0.001;
 const MAX_SCALE = 20000;
 
 /** A point of the program on the canvas. */

@@ -1,5 +1,6 @@
 // The static layer: grid, material, swept area, contour and tool path.
 
+import type { LivePicture } from "../live/picture";
 import { isLeft, type Result, radiusOn } from "../result";
 import type { Size, View } from "../view";
 import { toScreen } from "../view";
@@ -19,13 +20,15 @@ export interface BaseScene {
   readonly size: Size;
   readonly palette: Palette;
   readonly result: Result | undefined;
+  /** The contour that is dragged, where the result is behind it. */
+  readonly live: LivePicture | undefined;
 }
 
 /** Draws the static layer. */
-export function drawBase(context: Context, { view, size, palette, result }: BaseScene): void {
+export function drawBase(context: Context, { view, size, palette, result, live }: BaseScene): void {
   drawGrid(context, view, size, palette);
   if (result) {
-    const shapes = shapesOf(result);
+    const shapes = shapesOf(result, { view, size, live });
     inMillimetres(context, view, (px) => {
       drawMaterial(context, shapes, result, palette, px);
     });
@@ -35,7 +38,7 @@ export function drawBase(context: Context, { view, size, palette, result }: Base
       context.lineCap = "round";
       context.lineWidth = 2.25 * px;
       context.strokeStyle = palette.contour;
-      context.stroke(shapes.contour);
+      for (const outline of shapes.outlines) context.stroke(outline);
       drawPath(context, shapes, palette, px);
     });
     drawTransitions(context, view, result, palette);
