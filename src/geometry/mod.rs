@@ -34,7 +34,7 @@ pub use flatten::{flatten_arc, flatten_cubic};
 pub use line::Line;
 pub use nearest::Nearest;
 pub use sine::sin_cos;
-pub use sort::sort_short;
+pub use sort::{select, sort_long, sort_short};
 pub use spline::{EndCondition, Parameter, Spline, SplineEnds};
 pub use spline_edit::{ChangedSpans, Least, SplineEdit};
 pub use vector::{cross, direction, perp, rotate, turn};

@@ -6,6 +6,7 @@
 
 use super::cuts::{Stretch, following};
 use super::units::Workpiece;
+use crate::geometry::sort_long;
 
 /// Stretches that follow each other.
 #[derive(Debug, Clone, PartialEq)]
@@ -41,7 +42,7 @@ pub(super) fn chains(work: &Workpiece, stretches: &[Stretch]) -> Vec<Chain> {
             chains.push(chain);
         }
     }
-    chains.sort_unstable_by_key(|chain| chain.stretches[0]);
+    sort_long(&mut chains, |a, b| a.stretches[0] < b.stretches[0]);
     chains
 }
 
@@ -60,7 +61,7 @@ fn links(work: &Workpiece, stretches: &[Stretch]) -> (Vec<usize>, Vec<bool>) {
             starting.push((place, k));
         }
     }
-    starting.sort_unstable();
+    sort_long(&mut starting, |a, b| a < b);
     for k in 0..stretches.len() {
         if let Some(place) = stretches[k].end.filter(|_| next[k] == NONE) {
             let from = starting.partition_point(|&(at, _)| at < place);

@@ -9,6 +9,7 @@ use super::tree::{Marks, OrderTree};
 use super::units::{Piece, Workpiece};
 use crate::compensation::Options;
 use crate::compensation::meet::meet;
+use crate::geometry::sort_long;
 
 /// Crossings nearer than this are one [mm]: where two pieces follow each other a crossing is found
 /// on both.
@@ -190,15 +191,13 @@ pub(super) fn following(work: &Workpiece, stretches: &[Stretch], k: usize) -> Op
 
 /// Sorts cuts by piece and parameter; there may be very many.
 fn sort_by_piece(cuts: &mut [Cut]) {
-    cuts.sort_unstable_by(|a, b| {
-        (a.piece, a.t).partial_cmp(&(b.piece, b.t)).unwrap_or(std::cmp::Ordering::Equal)
-    });
+    sort_long(cuts, |a, b| (a.piece, a.t) < (b.piece, b.t));
 }
 
 /// Gives crossings at the same place one number; returns the number of each crossing.
 fn merge_places(cuts: &mut [Cut], crossings: u32) -> Vec<u32> {
     let mut number: Vec<u32> = (0..crossings).collect();
-    cuts.sort_unstable_by(|a, b| a.point.x.total_cmp(&b.point.x));
+    sort_long(cuts, |a, b| a.point.x < b.point.x);
     for i in 0..cuts.len() {
         let Some(here) = cuts[i].crossing else { continue };
         for other in &cuts[i + 1..] {

@@ -1,6 +1,6 @@
 //! A tree of boxes, to find the curves that may be near a place.
 
-use crate::geometry::Bounds;
+use crate::geometry::{Bounds, select};
 
 /// Boxes of one leaf.
 const LEAF: usize = 6;
@@ -42,8 +42,7 @@ impl BoxTree {
                     }
                 };
                 let middle = usize::midpoint(from, to);
-                tree.boxes[from..to]
-                    .select_nth_unstable_by(middle - from, |a, b| key(a).total_cmp(&key(b)));
+                select(&mut tree.boxes[from..to], middle - from, key);
                 tree.nodes[next].children = Some(tree.nodes.len());
                 let halves = [tree.node(from, middle), tree.node(middle, to)];
                 tree.nodes.extend(halves);

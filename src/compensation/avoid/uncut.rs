@@ -10,7 +10,7 @@ use glam::DVec2;
 use super::cuts::{Stretch, following};
 use super::units::Workpiece;
 use crate::contour::{MoveCurve, Tool, Uncut};
-use crate::geometry::{Arc, cross, flatten_arc, flatten_cubic};
+use crate::geometry::{Arc, cross, flatten_arc, flatten_cubic, sort_long};
 
 /// What was left out between two stretches of one contour that follow each other.
 #[derive(Debug, Clone, Copy)]
@@ -41,7 +41,7 @@ pub(super) fn uncut(
     let gaps = gaps(work, stretches);
     let mut by_start: Vec<(u32, usize)> =
         gaps.iter().enumerate().map(|(k, gap)| (gap.places[0], k)).collect();
-    by_start.sort_unstable();
+    sort_long(&mut by_start, |a, b| a < b);
     let mut used = vec![false; gaps.len()];
     let mut regions = Vec::new();
     for first in 0..gaps.len() {
@@ -117,7 +117,7 @@ impl Region {
         if area <= 0.5 * tolerance * around {
             return None;
         }
-        self.segments.sort_unstable();
+        sort_long(&mut self.segments, |a, b| a < b);
         self.segments.dedup();
         let origin = |[job, segment]: [u32; 2]| {
             work.jobs[job as usize].contour.segments()[segment as usize].attributes.origin

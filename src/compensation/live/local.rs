@@ -8,7 +8,9 @@ use super::slots::Slots;
 use crate::compensation::Options;
 use crate::compensation::assemble::finest_tolerance;
 use crate::contour::{Contour, ContourBuilder, MoveCurve, Segment, Shape, Tool};
-use crate::geometry::{Bounds, ChangedSpans, CurveError, Least, SplineEdit, SplineEnds, in_range};
+use crate::geometry::{
+    Bounds, ChangedSpans, CurveError, Least, SplineEdit, SplineEnds, in_range, sort_long,
+};
 
 /// Spans of a block; when edits have made it twice as many, it is cut in two.
 const BLOCK: usize = 16;
@@ -310,7 +312,7 @@ impl Local {
             self.blocks[block].bounds = self.parts[part].bounds(first, spans);
         }
         let mut stale = std::mem::take(&mut self.stale);
-        stale.sort_unstable();
+        sort_long(&mut stale, |a, b| a < b);
         stale.dedup();
         for index in stale {
             let joint = self.joint(index);
@@ -363,7 +365,7 @@ impl Local {
     /// the blocks that are to be drawn.
     fn tidied(&mut self, [path, outline]: [&mut Slots; 2]) -> Vec<usize> {
         let mut dirty = std::mem::take(&mut self.dirty);
-        dirty.sort_unstable();
+        sort_long(&mut dirty, |a, b| a < b);
         let mut drawn: Vec<usize> = Vec::with_capacity(dirty.len());
         // From behind, so that those still to come stay where they are.
         for &block in dirty.iter().rev() {
