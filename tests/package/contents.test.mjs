@@ -29,10 +29,20 @@ for (const [module, moduleResolution] of [
   test(`the types are sound for ${moduleResolution}`, async () => {
     const home = project(`types-${moduleResolution}`, {
       "package.json": `{ "type": "module" }`,
-      "main.ts": `import init, { compensate } from "g41";
+      "main.ts": `import init, { check, compensate, type ContourOptions, type Gouge } from "g41";
 import same from "g41/inline";
 ${program}
 export const text: string = answer;
+const options: ContourOptions = { side: "left", radius: 2, gouge: "avoid" };
+const wall = { start: [0, 0], segments: [{ kind: "line", to: [10, 0] }] } as const;
+const avoided = compensate(wall, options);
+export const outlines: Float64Array[] = avoided.uncut.map(({ outline }) => outline);
+export const gouges: Gouge[] = check(wall, avoided, { radius: 2 });
+export const code: string = avoided.gcode({ feed: 300, clearance: 5 });
+// @ts-expect-error: a policy that does not exist is found
+compensate(wall, { ...options, gouge: "ignore" });
+// @ts-expect-error: the judge wants a path, not its moves
+check(wall, avoided.moves, { radius: 2 });
 // @ts-expect-error: a misspelt function is found
 init.nothing();
 export const inits: (typeof init)[] = [init, same];`,

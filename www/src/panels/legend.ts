@@ -33,6 +33,9 @@ const SWATCHES: readonly (readonly [name: string, kind: string, drawing: string]
   ],
 ];
 
+/** What is shown only where there is some. */
+const WHERE_FOUND = ["gouge", "uncut"];
+
 /** Fills the legend and counts the transitions in it. */
 export function legend(list: HTMLElement, store: Store): void {
   const counts = new Map<string, HTMLElement>();
@@ -43,6 +46,7 @@ export function legend(list: HTMLElement, store: Store): void {
     const count = element("small");
     counts.set(kind, count);
     items.set(kind, item);
+    item.hidden = WHERE_FOUND.includes(kind);
     item.append(element("span", {}, name), count);
     list.append(item);
   }
@@ -54,7 +58,7 @@ export function legend(list: HTMLElement, store: Store): void {
       if (place) place.textContent = String(count);
     }
     const findings = findingsOf(result);
-    for (const kind of ["gouge", "uncut"]) {
+    for (const kind of WHERE_FOUND) {
       const count = findings.filter((finding) => finding.kind === kind).length;
       const [place, item] = [counts.get(kind), items.get(kind)];
       if (place) place.textContent = String(count);
