@@ -34,15 +34,21 @@ use super::path::PathBuilder;
 use super::{Options, SplineMethod};
 use crate::contour::{Contour, Tool, ToolPath};
 use crate::diagnostic::Diagnostic;
+use crate::geometry::Curve;
 
-/// Part of the tolerance that offsets may use up where the path is cut. Elsewhere they use up all
-/// of it.
-const OFFSET_SHARE: f64 = 0.4;
+/// Part of the tolerance that offsets of splines may use up where the path is cut. Elsewhere they use
+/// up all of it.
+const OFFSET_SHARE: f64 = 0.1;
 
-/// Part of the tolerance by which a place may be too near and still count as clear: more than
-/// offsets use up, or the path itself would not be clear; less than all of it, since a stretch may
-/// come nearer between the places examined.
-const CLEAR_SHARE: f64 = 0.45;
+/// Part of the tolerance by which a place may be too near and still count as clear where there are
+/// splines: a piece and the one that cuts it may both be off by their share.
+///
+/// A place counts as clear or not much more sharply than the tolerance asks: between two cuts the
+/// answer is the same all along only to that.
+const CLEAR_SHARE: f64 = 0.22;
+
+/// The same for lines and arcs alone, whose offsets are exact [mm].
+const EXACT: f64 = 1e-7;
 
 /// The path of the centre of `tool` along `contour` without what it cannot reach.
 ///
@@ -89,7 +95,15 @@ fn avoid_jobs(jobs: &[Job], radius: f64, options: &Options) -> ToolPath {
     let options = &Options { tolerance, spline: SplineMethod::Exact, ..*options };
     let (mut work, nodes) = Workpiece::new(jobs, options);
     let tree = OrderTree::new(nodes);
-    let least = radius - CLEAR_SHARE * tolerance;
+    let has_spline = |job: &Job| {
+        job.contour.segments().iter().any(|segment| matches!(segment.curve, Curve::Spline(_)))
+    };
+    let slack = if jobs.iter().any(has_spline) {
+        CLEAR_SHARE * tolerance
+    } else {
+        EXACT.max(finest).min(CLEAR_SHARE * tolerance)
+    };
+    let least = radius - slack;
     let marks = tree.marks(&work.ranges, Limits { reach: radius + tolerance, least });
     let mut fates = sieve(&work, &marks, &mut Clearance::new(&work, &tree, least));
     let options = &Options { tolerance: OFFSET_SHARE * tolerance, ..*options };

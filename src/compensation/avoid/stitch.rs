@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::chains::Chain;
-use super::cuts::Stretch;
+use super::cuts::{SAME_PLACE, Stretch};
 use super::sieve::Clearance;
 use super::units::{Kind, OutsideCorner, Workpiece, corner_of};
 use crate::compensation::corner::classify;
@@ -185,8 +185,9 @@ impl Stitcher<'_> {
     ) -> Option<DVec2> {
         let mut points = points;
         if before.is_some()
-            && let Some(Move { curve: MoveCurve::Line(line), .. }) =
+            && let Some(Move { curve: MoveCurve::Line(line), role: Role::Segment, .. }) =
                 self.builder.path.moves.last_mut()
+            && line.end().distance(points[0]) <= SAME_PLACE
             && let Ok(longer) = Line::new(line.start(), points[1])
         {
             *line = longer;

@@ -354,7 +354,12 @@ impl Maker<'_> {
         let path = self.pieces(arc.as_slice());
         let index = index(self.work.corners.len());
         self.work.corners.push(OutsideCorner { corner, kind, angle });
-        let octants = Octants::between(corner.incoming, corner.outgoing);
+        // Half way round, on the outside even where the tangents are opposite.
+        let sign = tool.side().sign();
+        let half_way = (perp(corner.outgoing) - perp(corner.incoming)) * sign;
+        let octants = Octants::of(corner.incoming)
+            .union(Octants::of(half_way))
+            .union(Octants::of(corner.outgoing));
         let contour = Bounds::of([corner.point]);
         let node = Node { contour, path, octants, fits: true };
         self.add(Unit { kind: Kind::Corner(index), ..unit }, node);
