@@ -7,7 +7,6 @@ use super::index::BoxTree;
 use super::sieve::{Clearance, Fate};
 use super::tree::{Marks, OrderTree};
 use super::units::{Piece, Workpiece};
-use crate::compensation::Options;
 use crate::compensation::meet::meet;
 use crate::geometry::sort_long;
 
@@ -46,7 +45,8 @@ pub(super) struct Survey<'a> {
     pub(super) tree: &'a OrderTree,
     pub(super) marks: &'a Marks,
     pub(super) fates: &'a [Fate],
-    pub(super) options: &'a Options,
+    /// What the offsets of splines may be off [mm].
+    pub(super) tolerance: f64,
 }
 
 impl Survey<'_> {
@@ -109,8 +109,8 @@ impl Survey<'_> {
             });
         }
         if !open.is_empty() {
-            let Self { work, marks, options, .. } = *self;
-            each_fence(work, self.tree, marks, &tree, options, &mut |fence| {
+            let Self { work, marks, tolerance, .. } = *self;
+            each_fence(work, self.tree, marks, &tree, tolerance, &mut |fence| {
                 tree.meeting(&fence.hull_bounds(), |i| {
                     let piece = open[i];
                     for crossing in meet(&pieces[piece].curve, fence).points() {

@@ -8,18 +8,18 @@ use glam::DVec2;
 use super::index::BoxTree;
 use super::tree::{Marks, OrderTree, Range};
 use super::units::{Kind, Workpiece, corner_arc, corner_of};
-use crate::compensation::Options;
 use crate::compensation::offset::{ArcOffset, offset_arc, offset_line, offset_span};
 use crate::contour::MoveCurve;
 use crate::geometry::{Arc, Bounds, perp};
 
-/// Calls `visit` with every fence that may meet a box of `open`.
+/// Calls `visit` with every fence that may meet a box of `open`; those of splines are off by at most
+/// `tolerance` [mm].
 pub(super) fn each_fence(
     work: &Workpiece,
     tree: &OrderTree,
     marks: &Marks,
     open: &BoxTree,
-    options: &Options,
+    tolerance: f64,
     visit: &mut dyn FnMut(&MoveCurve),
 ) {
     let mut curves = Vec::new();
@@ -34,7 +34,7 @@ pub(super) fn each_fence(
         let around = Bounds { min: node.contour.min + a.min(b), max: node.contour.max + a.max(b) };
         if open.meets(&around) {
             curves.clear();
-            other_side(work, unit, -offset, options, &mut curves);
+            other_side(work, unit, -offset, tolerance, &mut curves);
             curves.iter().for_each(&mut *visit);
         }
         for corner in corners_beside(work, unit) {
@@ -67,7 +67,7 @@ fn other_side(
     work: &Workpiece,
     unit: usize,
     offset: f64,
-    options: &Options,
+    tolerance: f64,
     curves: &mut Vec<MoveCurve>,
 ) {
     match work.curve(unit) {
@@ -81,7 +81,6 @@ fn other_side(
             ArcOffset::Point => {}
         },
         Some(MoveCurve::Cubic(cubic)) => {
-            let tolerance = options.usable_tolerance();
             offset_span(&cubic, offset, tolerance, None, curves, &mut |_, _| {});
         }
         Some(MoveCurve::Vertical(_)) | None => {}

@@ -13,6 +13,7 @@
 
 mod chains;
 mod cuts;
+mod dead_ends;
 mod fences;
 mod index;
 mod octants;
@@ -24,6 +25,7 @@ mod units;
 
 use self::chains::chains;
 use self::cuts::Survey;
+use self::dead_ends::remove_dead_ends;
 use self::sieve::{Clearance, Fate, sieve};
 use self::stitch::Stitcher;
 use self::tree::{Limits, OrderTree};
@@ -47,7 +49,11 @@ const OFFSET_SHARE: f64 = 0.1;
 /// answer is the same all along only to that.
 const CLEAR_SHARE: f64 = 0.22;
 
-/// The same for lines and arcs alone, whose offsets are exact [mm].
+/// Longest dead end, as a multiple of `√(r tolerance)`: on a chord of 2.8 of it, a tool cuts as deep
+/// as the tolerance.
+const DEAD_END: f64 = 4.0;
+
+/// The slack where there are only lines and arcs, whose offsets are exact [mm].
 const EXACT: f64 = 1e-7;
 
 /// The path of the centre of `tool` along `contour` without what it cannot reach.
@@ -106,9 +112,9 @@ fn avoid_jobs(jobs: &[Job], radius: f64, options: &Options) -> ToolPath {
     let least = radius - slack;
     let marks = tree.marks(&work.ranges, Limits { reach: radius + tolerance, least });
     let mut fates = sieve(&work, &marks, &mut Clearance::new(&work, &tree, least));
-    let options = &Options { tolerance: OFFSET_SHARE * tolerance, ..*options };
+    let finer = OFFSET_SHARE * tolerance;
     if fates.contains(&Fate::Open) {
-        let sources = work.refine(options.tolerance, &|piece| fates[piece] == Fate::Open);
+        let sources = work.refine(finer, tolerance, &|piece| fates[piece] == Fate::Open);
         let mut clearance = Clearance::new(&work, &tree, least);
         let fate = |(piece, source): (usize, &Result<usize, usize>)| match *source {
             Ok(unit) => clearance.fate(&work.pieces[piece].curve, unit),
@@ -117,8 +123,10 @@ fn avoid_jobs(jobs: &[Job], radius: f64, options: &Options) -> ToolPath {
         fates = sources.iter().enumerate().map(fate).collect();
     }
     let mut clearance = Clearance::new(&work, &tree, least);
-    let survey = Survey { work: &work, tree: &tree, marks: &marks, fates: &fates, options };
-    let stretches = survey.clear_stretches(&mut clearance);
+    let survey =
+        Survey { work: &work, tree: &tree, marks: &marks, fates: &fates, tolerance: finer };
+    let mut stretches = survey.clear_stretches(&mut clearance);
+    remove_dead_ends(&work, &mut stretches, DEAD_END * (radius * tolerance).sqrt());
     let chains = chains(&work, &stretches);
     let mut stitcher = Stitcher {
         work: &work,

@@ -15,6 +15,9 @@ use crate::compensation::{LeadStyle, Options};
 use crate::contour::{Contour, Corner, CornerKind, MoveCurve, Segment, Tool, TransitionKind};
 use crate::geometry::{Arc, Bounds, Curve, MIN_LENGTH, direction, perp};
 
+/// Shortest segment that shapes the path, as a part of the tolerance.
+const SHORTEST: f64 = 1e-3;
+
 /// A contour and the tool that is to run along it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Job<'a> {
@@ -138,11 +141,13 @@ impl<'a> Workpiece<'a> {
         self.ranges[self.units[unit].job as usize]
     }
 
-    /// Offsets the spans again of which `pick` holds for a piece, within `tolerance` [mm]. Returns
-    /// for each piece the unit it is new for, or its former index.
+    /// Offsets the spans again of which `pick` holds for a piece, within `tolerance` [mm], and joins
+    /// all pieces over gaps of up to `gap` [mm]. Returns for each piece the unit it is new for, or
+    /// its former index.
     pub(super) fn refine(
         &mut self,
         tolerance: f64,
+        gap: f64,
         pick: &dyn Fn(usize) -> bool,
     ) -> Vec<Result<usize, usize>> {
         let former = std::mem::take(&mut self.pieces);
@@ -183,7 +188,7 @@ impl<'a> Workpiece<'a> {
             self.units[unit].pieces_end = index(self.pieces.len());
         }
         for range in self.ranges.clone() {
-            self.join(range, tolerance);
+            self.join(range, gap);
         }
         sources
     }
@@ -240,12 +245,12 @@ struct Maker<'a> {
 }
 
 impl Maker<'_> {
-    fn job(&mut self, index: u32, job: &Job, options: &Options) {
+    fn job(&mut self, number: u32, job: &Job, options: &Options) {
         let (contour, tool) = (job.contour, job.tool);
         let segments = contour.segments();
-        let last = segments.len() - 1;
+        let kept = shaping(segments, options.usable_tolerance());
         let first_unit = self.work.units.len();
-        let mut unit = Unit { kind: Kind::Break, job: index, segment: 0, span: 0, pieces_end: 0 };
+        let mut unit = Unit { kind: Kind::Break, job: number, segment: 0, span: 0, pieces_end: 0 };
         if options.lead == LeadStyle::Textbook
             && let Some(lead) = contour.lead_in()
             && let Some(along) = direction(contour.start() - lead.point)
@@ -259,12 +264,12 @@ impl Maker<'_> {
             };
             self.corner(unit, corner, tool, options);
         }
-        for (i, segment) in (0..).zip(segments) {
-            unit.segment = i;
+        for (k, &i) in kept.iter().enumerate() {
+            let segment = &segments[i];
+            unit.segment = index(i);
             self.segment(unit, segment, tool, options);
-            let at = i as usize;
-            let next = if at < last { Some(at + 1) } else { job.is_closed().then_some(0) };
-            let corner = if let Some(next) = next {
+            let next = kept.get(k + 1).or(kept.first().filter(|_| job.is_closed()));
+            let corner = if let Some(&next) = next {
                 Some(corner_of(segment, &segments[next]))
             } else if options.lead == LeadStyle::Textbook {
                 contour.lead_out().and_then(|lead| corner_to(segment, lead.point))
@@ -364,6 +369,18 @@ impl Maker<'_> {
         let node = Node { contour, path, octants, fits: true };
         self.add(Unit { kind: Kind::Corner(index), ..unit }, node);
     }
+}
+
+/// The segments that shape the path, by their indices: those so short that nobody could tell are
+/// points, and would make corners of their own where there is one.
+fn shaping(segments: &[Segment], tolerance: f64) -> Vec<usize> {
+    let shapes = |&i: &usize| match &segments[i].curve {
+        Curve::Line(line) => line.length() >= SHORTEST * tolerance,
+        Curve::Arc(arc) => arc.length() >= SHORTEST * tolerance,
+        Curve::Spline(_) => true,
+    };
+    let all = 0..segments.len();
+    if all.clone().any(|i| shapes(&i)) { all.filter(shapes).collect() } else { all.collect() }
 }
 
 /// The arc about a corner.
