@@ -3,7 +3,7 @@
 //! All of them, or any range of seeds, with as many threads as there are cores:
 //! `G41_SEEDS=0..1000000 cargo test --release --test compensation million -- --ignored --nocapture`.
 //! `G41_BRUTE=N` looks at every Nth by brute force too; 100 unless told. A range of one seed prints
-//! the case.
+//! the case, less the segments without which it fails just the same.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
@@ -14,10 +14,13 @@ const CASES: u64 = if cfg!(target_arch = "wasm32") { 300 } else { 4_000 };
 
 /// Faults of the contour of a seed; none for one that cannot be built.
 fn judged(seed: u64, depth: Depth) -> Vec<Fault> {
-    let case = Case::of(seed);
+    faults_of(&Case::of(seed), depth)
+}
+
+fn faults_of(case: &Case, depth: Depth) -> Vec<Fault> {
     let Some(contour) = case.contour() else { return Vec::new() };
-    let path = path_of(&case, &contour);
-    faults(&case, &contour, &path, depth)
+    let path = path_of(case, &contour);
+    faults(case, &contour, &path, depth)
 }
 
 #[test]
@@ -42,8 +45,8 @@ mod whole {
     use std::time::{Duration, Instant};
 
     use super::super::families::Case;
-    use super::super::verdict::Depth;
-    use super::judged;
+    use super::super::verdict::{Depth, Fault, path_of};
+    use super::{faults_of, judged};
 
     /// Longer than any contour of the families may take, on a machine that does other things too.
     const HANG: Duration = Duration::from_secs(10);
@@ -151,6 +154,28 @@ mod whole {
         from.parse().expect("a seed")..to.parse().expect("a seed")
     }
 
+    /// The case without the segments that its fault does not need.
+    fn reduced(mut case: Case) -> Case {
+        let name_of = |case: &Case| faults_of(case, Depth::Brute).first().map(Fault::name);
+        let Some(name) = name_of(&case) else { return case };
+        let mut index = 0;
+        while index < case.sketch.shapes.len() {
+            let mut less = case.clone();
+            less.sketch.shapes.remove(index);
+            // Arcs whose start moved are no arcs any more.
+            let whole = less.contour().is_some_and(|contour| {
+                contour.segments().len() == less.sketch.shapes.len()
+                    && contour.is_closed() == case.sketch.closed
+            });
+            if whole && name_of(&less) == Some(name) {
+                case = less;
+            } else {
+                index += 1;
+            }
+        }
+        case
+    }
+
     fn number(name: &str, otherwise: u64) -> u64 {
         std::env::var(name).ok().and_then(|n| n.parse().ok()).unwrap_or(otherwise)
     }
@@ -160,7 +185,12 @@ mod whole {
     fn all_seeds() {
         let seeds = range();
         if seeds.end - seeds.start == 1 {
-            println!("{:#?}", Case::of(seeds.start));
+            let case = Case::of(seeds.start);
+            let started = Instant::now();
+            let moves = case.contour().map_or(0, |contour| path_of(&case, &contour).moves.len());
+            println!("{moves} moves in {:?}", started.elapsed());
+            let case = reduced(case);
+            println!("{case:?}\n{:?}", faults_of(&case, Depth::Brute));
         }
         let cores = std::thread::available_parallelism().map_or(1, usize::from);
         let workers = number("G41_THREADS", cores as u64);
