@@ -14,6 +14,9 @@ const SAGITTA_SHARE: f64 = 0.25;
 /// distance from one piece to have one minimum where it cuts deep.
 const LONGEST: f64 = 0.25;
 
+/// Most parts of one chord: reached only where the radius is absurdly small for its length.
+const MAX_PARTS: f64 = 10_000.0;
+
 /// Steps of the search for the deepest point on a stretch that cuts too deep: each keeps 0.618 of
 /// the stretch, so 40 leave 4e-9 of it.
 const SEARCH_STEPS: usize = 40;
@@ -75,8 +78,7 @@ impl Judge<'_> {
                 continue;
             }
             stretch.clear();
-            let longest = LONGEST * self.radius;
-            chords(&one.curve, index, sagitta, longest, &mut stretch);
+            self.stretches(one, index, sagitta, &mut stretch);
             for chord in &stretch {
                 match self.verdict(one, chord, going.map_or(0.0, |(cut, _)| cut.depth)) {
                     Verdict::Clear => gouges.extend(going.take().map(|cut| self.gouge(cut))),
@@ -87,6 +89,42 @@ impl Judge<'_> {
         }
         gouges.extend(going.map(|cut| self.gouge(cut)));
         gouges
+    }
+
+    /// Chords of a move: long ones where they are clear as they are, short ones elsewhere.
+    fn stretches(&self, one: &Move, index: u32, sagitta: f64, stretches: &mut Vec<Chord>) {
+        let mut long = Vec::new();
+        chords(&one.curve, index, sagitta, f64::INFINITY, &mut long);
+        for chord in long {
+            let count = (chord.start.distance(chord.end) / (LONGEST * self.radius)).ceil();
+            let count = count.clamp(1.0, MAX_PARTS);
+            if count == 1.0 || self.is_clear(&chord) {
+                stretches.push(chord);
+                continue;
+            }
+            let [from, to] = chord.range;
+            let mut part = Chord { end: chord.start, range: [from, from], ..chord };
+            let mut k = 0.0;
+            while k < count {
+                k += 1.0;
+                let last = k == count;
+                let t = if last { to } else { from + (to - from) * (k / count) };
+                let end = if last { chord.end } else { one.curve.point(t) };
+                part = Chord { start: part.end, end, range: [part.range[1], t], ..chord };
+                stretches.push(part);
+            }
+        }
+    }
+
+    /// Whether all of a chord's stretch is surely far enough from everything.
+    fn is_clear(&self, chord: &Chord) -> bool {
+        let limit = self.radius - self.tolerance;
+        let reach = limit + chord.sagitta + SAGITTA_SHARE * self.tolerance;
+        let mut clear = true;
+        self.tree.near(&chord.bounds(), reach, |other| {
+            clear = clear && chord.distance(other) >= limit + chord.sagitta + other.sagitta;
+        });
+        clear
     }
 
     /// Judges one chord's stretch of a move, where a cut of depth `known` is known already.

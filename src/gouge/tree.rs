@@ -4,6 +4,8 @@
 //! and the tree is two arrays. Level 0 holds the boxes of groups of chords, each further level one
 //! box for two below it.
 
+use glam::DVec2;
+
 use super::chord::Chord;
 use crate::geometry::Bounds;
 
@@ -37,11 +39,16 @@ impl Tree {
 
     /// Calls `visit` with every chord whose box is within `distance` [mm] of `bounds`.
     pub(super) fn near(&self, bounds: &Bounds, distance: f64, mut visit: impl FnMut(&Chord)) {
-        let reach = bounds.inflated(distance);
+        // By the true distance of the boxes: a large tool goes round the part at arm's length, and a
+        // square about its centre would hold all of the contour.
+        let is_near = |around: &Bounds| {
+            let gap = (bounds.min - around.max).max(around.min - bounds.max).max(DVec2::ZERO);
+            gap.length_squared() <= distance * distance
+        };
         let mut open = vec![(self.levels.len() - 1, 0)];
         while let Some((level, index)) = open.pop() {
             let Some(around) = self.levels[level].get(index) else { continue };
-            if !around.meets(&reach) {
+            if !is_near(around) {
                 continue;
             }
             if level > 0 {
