@@ -1,6 +1,6 @@
 // What lies under the pointer: segments of contours, places on the tool path, corners.
 
-import { trackOf } from "./draw/track";
+import { type Track, trackOf } from "./draw/track";
 import { transitionPlace } from "./draw/transition";
 import { distance, nearestOnLine, type Point } from "./geometry";
 import type { Part } from "./part";
@@ -19,16 +19,30 @@ export interface Nearest {
 
 /** The place on polylines that is nearest to a point, if any is nearer than `within` [mm]. */
 export function nearestOn(lines: Lines, p: Point, within = Infinity): Nearest | undefined {
-  const starts = new Set(lines.starts);
-  let best: Nearest | undefined;
+  const near = nearestOnTrack(trackOf(lines.points), lines.starts, p, within);
+  return near && { ...near, owner: lines.owners[near.vertex] as number };
+}
+
+/** The same for polylines that nobody owns. */
+export function nearestOnTrack(
+  track: Track,
+  first: Uint32Array,
+  p: Point,
+  within: number,
+): Omit<Nearest, "owner"> | undefined {
+  const starts = new Set(first);
+  let best: Omit<Nearest, "owner"> | undefined;
   const reach = () => best?.distance ?? within;
-  trackOf(lines.points).near(p, reach, (first, end) => {
-    for (let i = first + 1; i <= end; i += 1) {
+  const vertex = (i: number): Point => [
+    track.points[2 * i] as number,
+    track.points[2 * i + 1] as number,
+  ];
+  track.near(p, reach, (from, end) => {
+    for (let i = from + 1; i <= end; i += 1) {
       if (starts.has(i)) continue;
-      const near = nearestOnLine(p, vertexOf(lines, i - 1), vertexOf(lines, i));
+      const near = nearestOnLine(p, vertex(i - 1), vertex(i));
       const d = distance(near.point, p);
-      if (d >= reach()) continue;
-      best = { ...near, owner: lines.owners[i] as number, distance: d, vertex: i };
+      if (d < reach()) best = { ...near, distance: d, vertex: i };
     }
   });
   return best;

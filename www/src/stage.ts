@@ -7,7 +7,7 @@ import { isLarge } from "./draw/shapes";
 import { transitionPlace } from "./draw/transition";
 import { findingAt, findingsOf } from "./findings";
 import { distance, type Point } from "./geometry";
-import { indexOf, nearestCorner, nearestOn } from "./hit";
+import { indexOf, nearestCorner, nearestOn, nearestOnTrack } from "./hit";
 import {
   type Handle,
   handles,
@@ -261,7 +261,11 @@ export class Stage {
     if (!this.#pointer) return there;
     const pointer = toWorld(this.#view, this.#pointer);
     if (there && distance(there.at, pointer) * this.#view.scale < 16) return there;
-    const near = nearestOn(result.path, pointer, TOOL_REACH / this.#view.scale);
+    const reach = TOOL_REACH / this.#view.scale;
+    const { live } = this.#store.state;
+    const dragged = live && nearestOnTrack(live.path, live.starts, pointer, reach);
+    if (dragged) return { at: dragged.point, radius: Math.abs(radiusOn(result, live.contour)) };
+    const near = nearestOn(result.path, pointer, reach);
     if (!near) return there;
     return tool(near.point, lineOfMove(result, near.owner));
   }

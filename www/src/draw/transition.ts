@@ -16,6 +16,7 @@ import { contourAt, isLeft, type Result } from "../result";
 import { toScreen, type View } from "../view";
 import { type Context, dot, label, strokeLine } from "./canvas";
 import type { Palette } from "./palette";
+import { trackOf } from "./track";
 
 /** The line along which the offsets are joined, or for a shortened corner what is cut away. */
 export function transitionLine(transition: Transition, result: Result): Point[] {
@@ -173,9 +174,13 @@ function isLeftAt({ origin }: Transition, result: Result): boolean {
 }
 
 function isOnPath(point: Point, { path }: Result): boolean {
-  for (let i = 0; i + 1 < path.points.length; i += 2) {
-    const [x, y] = [path.points[i] as number, path.points[i + 1] as number];
-    if (Math.abs(x - point[0]) + Math.abs(y - point[1]) < 1e-3) return true;
-  }
-  return false;
+  let found = false;
+  const near = () => (found ? -1 : 1e-3);
+  trackOf(path.points).near(point, near, (first, end) => {
+    for (let i = first; i <= end; i += 1) {
+      const [x, y] = [path.points[2 * i] as number, path.points[2 * i + 1] as number];
+      found ||= Math.abs(x - point[0]) + Math.abs(y - point[1]) < 1e-3;
+    }
+  });
+  return found;
 }

@@ -60,12 +60,21 @@ export class Drag {
       if (edits) this.#client.step(edits, ref, at);
       if (edits && document.text.length > LONG) {
         this.#unwritten = { ref, to, gesture, step };
-        clearTimeout(this.#timer);
-        this.#timer = window.setTimeout(() => this.write(), PAUSE);
+        this.#waitForPause();
         return;
       }
     }
     move(this.#store, ref, to, gesture, step);
+  }
+
+  #waitForPause(): void {
+    clearTimeout(this.#timer);
+    const due = performance.now() + PAUSE;
+    this.#timer = window.setTimeout(() => {
+      // Late is what the page was busy for: the pointer may have moved meanwhile.
+      if (performance.now() > due + PAUSE / 4) this.#waitForPause();
+      else this.write();
+    }, PAUSE);
   }
 
   /** Lets go of the point. */

@@ -17,7 +17,7 @@ export function codePanel(store: Store): (line: number) => void {
   find("panel-program").append(program.root);
   find("panel-output").append(output.root);
   const choose = tabs(["program", "output"]);
-  actions(store, () => (find("panel-output").hidden ? program : output).area.value);
+  actions(store, () => (find("panel-output").hidden ? program : output).text);
 
   let typing = 0;
   let lastTyped = 0;

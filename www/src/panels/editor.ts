@@ -4,7 +4,11 @@ import { element } from "./elements";
 
 /** Longer texts are shown without colours. */
 const MOST_COLOURED_LINES = 3000;
-const MOST_COLOURED_LETTERS = 200_000;
+/** Of longer texts only some lines are shown: a browser takes seconds to lay out all of them. */
+const MOST_LETTERS = 200_000;
+/** Lines that are shown of such a text, and how near to their ends others are fetched. */
+const EXCERPT = 1000;
+const RIM = 100;
 
 const TOKENS =
   /(?<comment>\([^)]*\)?|;.*)|(?<number>\bN\d+)|(?<motion>\b[GM]\d+(?:\.\d+)?)|(?<axis>[XYZIJR](?=\s*[-+.\d]))/gi;
@@ -24,9 +28,15 @@ export class Editor {
   #copy: HTMLElement;
   #gutter: HTMLElement;
   #lines: string[] = [];
+  #text = "";
+  #readOnly: boolean;
+  /** All lines of a text of which only some are shown, and the index of the first of those. */
+  #all: string[] | undefined;
+  #first = 0;
   #marks: LineMarks = { current: undefined, diagnosed: new Map() };
 
   constructor(label: string, readOnly: boolean) {
+    this.#readOnly = readOnly;
     this.area = element("textarea", {
       "aria-label": label,
       spellcheck: "false",
@@ -39,11 +49,34 @@ export class Editor {
     this.#gutter = element("pre", { class: "gutter", "aria-hidden": "true" });
     const text = element("div", { class: "editor-text" }, this.#copy, this.area);
     this.root = element("div", { class: "editor" }, this.#gutter, text);
-    this.area.addEventListener("scroll", () => this.#follow(), { passive: true });
+    this.area.addEventListener("scroll", () => this.#scrolled(), { passive: true });
+  }
+
+  /** The whole text. */
+  get text(): string {
+    return this.#all ? this.#text : this.area.value;
   }
 
   /** Shows a text; the caret stays where it is as far as it can. */
   show(text: string): void {
+    if (text.length > MOST_LETTERS) {
+      if (text === this.#text) return;
+      this.#text = text;
+      this.#all = text.split("\n");
+      this.#first = Math.max(0, Math.min(this.#first, this.#all.length - EXCERPT));
+    } else {
+      this.#text = text;
+      this.#all = undefined;
+      this.#first = 0;
+    }
+    this.area.readOnly = this.#readOnly || this.#all !== undefined;
+    this.area.title = this.#all ? "Of this very long program only some lines are shown." : "";
+    this.#fill();
+  }
+
+  #fill(): void {
+    const lines = this.#all?.slice(this.#first, this.#first + EXCERPT);
+    const text = lines ? lines.join("\n") : this.#text;
     if (this.area.value !== text) {
       const { selectionStart, selectionEnd, scrollTop, scrollLeft } = this.area;
       this.area.value = text;
@@ -51,8 +84,33 @@ export class Editor {
       this.area.scrollTop = scrollTop;
       this.area.scrollLeft = scrollLeft;
     }
-    this.#colour(text);
+    this.#colour(lines ?? text.split("\n"));
     this.#follow();
+  }
+
+  /** Shows other lines of a text of which only some are shown, `line` in their middle. */
+  #move(line: number): void {
+    if (!this.#all) return;
+    const first = Math.round(line - EXCERPT / 2);
+    this.#first = Math.max(0, Math.min(first, this.#all.length - EXCERPT));
+    this.#fill();
+    this.mark(this.#marks);
+  }
+
+  #scrolled(): void {
+    const top = Math.round(this.area.scrollTop / this.#lineHeight());
+    const shown = Math.round(this.area.clientHeight / this.#lineHeight());
+    const before = this.#first;
+    const isAtEnd = top + shown > EXCERPT - RIM && before + EXCERPT < (this.#all?.length ?? 0);
+    if (this.#all && (isAtEnd || (top < RIM && before > 0))) {
+      this.#move(before + top + shown / 2);
+      this.area.scrollTop += (before - this.#first) * this.#lineHeight();
+    }
+    this.#follow();
+  }
+
+  #lineHeight(): number {
+    return this.#copy.firstElementChild?.getBoundingClientRect().height || 20;
   }
 
   /** Marks lines. */
@@ -65,13 +123,17 @@ export class Editor {
 
   /** The line that the caret is in, counted from 1. */
   caretLine(): number {
-    return this.area.value.slice(0, this.area.selectionStart).split("\n").length;
+    const before = this.area.value.slice(0, this.area.selectionStart);
+    return this.#first + before.split("\n").length;
   }
 
   /** Scrolls a line into sight. */
   reveal(line: number): void {
-    const height = this.#copy.firstElementChild?.getBoundingClientRect().height ?? 20;
-    const top = (line - 1) * height;
+    if (this.#all && (line < this.#first + RIM || line > this.#first + EXCERPT - RIM)) {
+      this.#move(line);
+    }
+    const height = this.#lineHeight();
+    const top = (line - 1 - this.#first) * height;
     const { scrollTop, clientHeight } = this.area;
     if (top < scrollTop + height || top > scrollTop + clientHeight - 3 * height) {
       this.area.scrollTop = top - clientHeight / 2;
@@ -79,9 +141,8 @@ export class Editor {
     this.#follow();
   }
 
-  #colour(text: string): void {
-    const lines = text.split("\n");
-    const plain = lines.length > MOST_COLOURED_LINES || text.length > MOST_COLOURED_LETTERS;
+  #colour(lines: string[]): void {
+    const plain = lines.length > MOST_COLOURED_LINES;
     this.root.classList.toggle("plain", plain);
     const wanted = plain ? [] : lines;
     while (this.#copy.children.length > wanted.length) {
@@ -89,14 +150,17 @@ export class Editor {
       this.#gutter.lastElementChild?.remove();
     }
     wanted.forEach((line, i) => {
+      const number = String(this.#first + i + 1);
       let copy = this.#copy.children[i];
       if (!copy) {
         copy = element("div");
         this.#copy.append(copy);
-        this.#gutter.append(element("div", {}, String(i + 1)));
+        this.#gutter.append(element("div", {}, number));
         this.#markLine(copy, this.#gutter.children[i], i);
-      } else if (this.#lines[i] === line) {
-        return;
+      } else {
+        const shown = this.#gutter.children[i];
+        if (shown && shown.textContent !== number) shown.textContent = number;
+        if (this.#lines[i] === line) return;
       }
       copy.replaceChildren(...coloured(line));
     });
@@ -104,9 +168,10 @@ export class Editor {
   }
 
   #markLine(copy: Element, number: Element | undefined, index: number): void {
-    const severity = this.#marks.diagnosed.get(index + 1);
+    const line = this.#first + index + 1;
+    const severity = this.#marks.diagnosed.get(line);
     for (const place of [copy, number]) {
-      place?.classList.toggle("current", this.#marks.current === index + 1);
+      place?.classList.toggle("current", this.#marks.current === line);
       place?.classList.toggle("has-error", severity === "error");
       place?.classList.toggle("has-warning", severity === "warning");
     }
