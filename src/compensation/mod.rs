@@ -25,6 +25,7 @@ mod type_points;
 pub use assemble::compensate;
 pub use avoid::{avoid, avoid_all};
 pub use live::{EditError, LiveContour, Update};
+pub use offset::{ProvedPiece, proved_offset};
 pub use options::{
     CornerStyle, GougePolicy, LeadStyle, MIN_TOLERANCE, Options, Passes, SplineMethod, TangentBand,
 };

@@ -6,6 +6,7 @@ use super::chord::{Chord, Piece, chords, pieces};
 use super::tree::Tree;
 use crate::contour::{Contour, Gouge, GougeKind, Move, Role, ToolPath};
 use crate::diagnostic::Origin;
+use crate::geometry::least;
 
 /// Part of the tolerance that the sagittas of path and contour may take up each.
 const SAGITTA_SHARE: f64 = 0.25;
@@ -170,33 +171,10 @@ impl Judge<'_> {
     /// Golden-section search between the stretch's ends: it is a chord long, so the distance has one
     /// minimum on it or hardly changes.
     fn nearest_approach(&self, one: &Move, range: [f64; 2], piece: &Piece) -> (f64, DVec2) {
-        const KEEP: f64 = 0.618_033_988_749_894_8;
-        let at = |t: f64| {
-            let nearest = piece.curve.nearest(one.curve.point(t));
-            (nearest.distance, nearest.point)
-        };
-        let nearer = |a: (f64, DVec2), b: (f64, DVec2)| if b.0 < a.0 { b } else { a };
-        let [mut from, mut to] = range;
-        let ends = nearer(at(from), at(to));
-        let (mut left, mut right) = (to - KEEP * (to - from), from + KEEP * (to - from));
-        let (mut at_left, mut at_right) = (at(left), at(right));
-        for _ in 0..SEARCH_STEPS {
-            if at_left.0 < at_right.0 {
-                to = right;
-                (right, at_right) = (left, at_left);
-                left = to - KEEP * (to - from);
-                at_left = at(left);
-            } else {
-                from = left;
-                (left, at_left) = (right, at_right);
-                right = from + KEEP * (to - from);
-                at_right = at(right);
-            }
-            if (at_left.0 - at_right.0).abs() < 1e-3 * self.tolerance {
-                break;
-            }
-        }
-        nearer(ends, nearer(at_left, at_right))
+        let at = |t: f64| piece.curve.nearest(one.curve.point(t));
+        let enough = 1e-3 * self.tolerance;
+        let nearest = at(least(range, SEARCH_STEPS, enough, &mut |t| at(t).distance));
+        (nearest.distance, nearest.point)
     }
 
     /// The report of a gouge: local where the move follows the segment it cuts or its neighbour.

@@ -19,6 +19,7 @@ mod leads;
 mod live;
 mod million;
 mod policies;
+mod proved;
 mod radii;
 mod random_contours;
 mod reversals;

@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use super::Bend;
-use crate::geometry::{Cubic, Spline, perp};
+use crate::geometry::{Cubic, Spline, least, perp};
 
 /// A stretch of a span.
 #[derive(Debug, Clone, Copy)]
@@ -130,25 +130,15 @@ impl Around<'_> {
 
     /// Improves the deepest of some samples by golden-section search beside it.
     fn refine(&self, window: &Range<usize>, span: usize, t: f64, deepest: &mut Cut) {
-        const KEEP: f64 = 0.618_033_988_749_894_8;
         let step = 1.0 / SAMPLES as f64;
-        let (mut from, mut to) = ((t - step).max(0.0), (t + step).min(1.0));
-        for _ in 0..SEARCH_STEPS {
-            let (left, right) = (to - KEEP * (to - from), from + KEEP * (to - from));
-            let at = |t| self.cut(window, span, t, 0.0);
-            let depth = |cut: Option<Cut>| cut.map_or(0.0, |cut| cut.depth);
-            let (at_left, at_right) = (at(left), at(right));
-            for cut in [at_left, at_right].into_iter().flatten() {
-                if cut.depth > deepest.depth {
-                    *deepest = cut;
-                }
+        let range = [(t - step).max(0.0), (t + step).min(1.0)];
+        least(range, SEARCH_STEPS, 0.0, &mut |t| {
+            let cut = self.cut(window, span, t, 0.0);
+            if let Some(cut) = cut.filter(|cut| cut.depth > deepest.depth) {
+                *deepest = cut;
             }
-            if depth(at_left) > depth(at_right) {
-                to = right;
-            } else {
-                from = left;
-            }
-        }
+            -cut.map_or(0.0, |cut| cut.depth)
+        });
     }
 }
 

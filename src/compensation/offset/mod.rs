@@ -10,13 +10,14 @@ mod cusps;
 mod fit;
 mod line;
 mod proof;
+mod proved;
 mod spline;
 
 use glam::DVec2;
 
 pub(super) use arc::{ArcOffset, offset_arc};
 pub(super) use line::offset_line;
-#[allow(unused_imports, reason = "live edits offset single spans")]
+pub use proved::{ProvedPiece, proved_offset};
 pub(super) use spline::offset_span;
 pub(super) use spline::{SpanEnd, offset_spline, spline_bends};
 

@@ -2,30 +2,16 @@
 //!
 //! Each span is cut at the cusps of its offset, where `1 − δκ` changes its sign. A piece is the
 //! plain Hermite cubic where that is proved to be within the tolerance, else the collocated one,
-//! else the stretch is halved. Next to a cusp, where no proof can hold, the halving ends when
-//! offset and piece are shorter than the tolerance. Where the tool does not fit, between two
-//! cusps, the offset runs against the curve and the error is measured at sample points instead.
-
-use std::f64::consts::PI;
+//! else the stretch is halved.
 
 use glam::DVec2;
 
 use super::Bend;
 use super::bend::{Stretch, bends};
 use super::cusps::{cusps, room};
-use super::fit::Source;
-use super::proof::is_proved;
+use super::fit::{End, Source, hermite};
 use crate::contour::MoveCurve;
 use crate::geometry::{Arc, Cubic, MIN_LENGTH, Spline};
-
-/// Parameters of a piece at which its error is measured where it cannot be proved. The error of a
-/// Hermite cubic is `t² (1 − t)²` times a smooth function, so these see its largest value but for
-/// a few percent.
-const SAMPLES: [f64; 5] = [0.15, 0.32, 0.5, 0.68, 0.85];
-
-/// Part of the tolerance that a measured error may use; the rest is for what lies between the
-/// samples.
-const SAFETY: f64 = 0.9;
 
 /// Halvings of a stretch until it is taken as it is: 2⁻³⁰ of a span has no inner shape.
 const DEEPEST: u32 = 30;
@@ -84,13 +70,43 @@ pub(in crate::compensation) fn offset_span(
     cubic: &Cubic,
     offset: f64,
     tolerance: f64,
-    mut before: Option<DVec2>,
+    before: Option<DVec2>,
     pieces: &mut Vec<MoveCurve>,
     tight: &mut dyn FnMut(f64, f64),
 ) -> bool {
+    each_piece(cubic, offset, tolerance, before, tight, &mut |_, _, piece| pieces.push(piece))
+}
+
+/// Calls `emit` with every piece of the offset of one span, what it is the offset of, and the range
+/// of parameters of that; the rest is as in [`offset_span`].
+pub(super) fn each_piece(
+    cubic: &Cubic,
+    offset: f64,
+    tolerance: f64,
+    mut before: Option<DVec2>,
+    tight: &mut dyn FnMut(f64, f64),
+    emit: &mut Emit,
+) -> bool {
+    let whole = Source::new(*cubic, offset);
     if offset.abs() <= MIN_LENGTH {
         // No proof tells the two sides of the curve apart, and none is needed.
-        pieces.push(MoveCurve::Cubic(*cubic));
+        emit(&whole, [0.0, 1.0], MoveCurve::Cubic(*cubic));
+        return true;
+    }
+    let mut append = |source: &Source, range: [f64; 2], fits: bool| {
+        let ends = [source.end(0.0), source.end(1.0)];
+        let arc = before.and_then(|b| join(b, ends[0].point, source.cubic.start(), offset));
+        if let Some(arc) = arc {
+            emit(source, [range[0]; 2], MoveCurve::Arc(arc));
+        }
+        let effort = Effort { fits, tolerance, depth: 0 };
+        fit(source, range, ends, effort, &mut |source, range, piece| {
+            before = Some(piece.end());
+            emit(source, range, piece);
+        });
+    };
+    if whole.speed.surely_fits(offset) {
+        append(&whole, [0.0, 1.0], true);
         return true;
     }
     let mut all_fit = true;
@@ -99,14 +115,23 @@ pub(in crate::compensation) fn offset_span(
             all_fit = false;
             tight(from, to);
         }
-        let piece = source.hermite();
-        if let Some(before) = before {
-            join(before, piece.start(), source.cubic.start(), offset, pieces);
-        }
-        fit(source, &piece, fits, tolerance, 0, pieces);
-        before = pieces.last().map(MoveCurve::end).or(before);
+        append(source, [from, to], fits);
     });
     all_fit
+}
+
+/// What takes the pieces.
+type Emit<'a> = dyn FnMut(&Source, [f64; 2], MoveCurve) + 'a;
+
+/// What is to be achieved on a stretch.
+#[derive(Debug, Clone, Copy)]
+struct Effort {
+    /// Whether the tool fits, so that the collocated piece is worth a try.
+    fits: bool,
+    /// [mm]
+    tolerance: f64,
+    /// How often the stretch has been halved.
+    depth: u32,
 }
 
 /// Where the spline bends tighter than a tool at `offset` [mm].
@@ -126,11 +151,11 @@ pub(in crate::compensation) fn spline_bends(spline: &Spline, offset: f64) -> Vec
 /// tells their ranges of parameters and whether the tool fits there.
 fn each_stretch(cubic: &Cubic, offset: f64, visit: &mut dyn FnMut(&Source, f64, f64, bool)) {
     for part in &cut_at_standstill(cubic) {
+        let whole = Source::new(part.cubic, offset);
         let mut from = 0.0;
         for to in cusps(&part.cubic, offset).into_iter().chain([1.0]) {
             let fits = room(&part.cubic, offset, 0.5 * (from + to)) >= 0.0;
-            let source = Source { cubic: part.cubic.part(from, to), offset };
-            visit(&source, part.at(from), part.at(to), fits);
+            visit(&whole.part(from, to), part.at(from), part.at(to), fits);
             from = to;
         }
     }
@@ -180,67 +205,44 @@ fn cut_at_standstill(cubic: &Cubic) -> Vec<Part> {
     ends.windows(2).map(|w| Part { cubic: cubic.part(w[0], w[1]), from: w[0], to: w[1] }).collect()
 }
 
-/// Appends pieces within `tolerance` of the offset of `source`, of which `hermite` is the plain
-/// one. `fits` tells that the tool does, so that a piece can be proved.
-fn fit(
-    source: &Source,
-    hermite: &Cubic,
-    fits: bool,
-    tolerance: f64,
-    depth: u32,
-    pieces: &mut Vec<MoveCurve>,
-) {
-    if let Some(piece) = good_piece(source, hermite, fits, tolerance, depth) {
-        if piece.hull_length() >= MIN_LENGTH {
-            pieces.push(MoveCurve::Cubic(piece));
+/// Emits pieces within the tolerance of the offset of `source`, which has the given ends.
+fn fit(source: &Source, range: [f64; 2], ends: [End; 2], effort: Effort, emit: &mut Emit) {
+    if let Some(piece) = good_piece(source, &hermite(ends), effort) {
+        let chord = piece.end() - piece.start();
+        if chord.length_squared() > MIN_LENGTH * MIN_LENGTH || piece.hull_length() >= MIN_LENGTH {
+            emit(source, range, MoveCurve::Cubic(piece));
         }
         return;
     }
-    let (left, right) = source.cubic.split(0.5);
-    for half in [left, right] {
-        let half = Source { cubic: half, ..*source };
-        fit(&half, &half.hermite(), fits, tolerance, depth + 1, pieces);
-    }
+    let [left, right] = source.halves();
+    let at = 0.5 * (range[0] + range[1]);
+    let [start, middle, end] = [ends[0], source.end(0.5), ends[1]].map(End::of_half);
+    let effort = Effort { depth: effort.depth + 1, ..effort };
+    fit(&left, [range[0], at], [start, middle], effort, emit);
+    fit(&right, [at, range[1]], [middle, end], effort, emit);
 }
 
 /// One piece for the whole of `source`, if one is good enough.
-fn good_piece(
-    source: &Source,
-    hermite: &Cubic,
-    fits: bool,
-    tolerance: f64,
-    depth: u32,
-) -> Option<Cubic> {
-    // Piece and offset share their ends, so neither is farther from the other than half of the
-    // longer one is long; the offset of a stretch that turns little is about as long as its piece.
-    if depth == DEEPEST || hermite.hull_length() <= tolerance {
+fn good_piece(source: &Source, hermite: &Cubic, effort: Effort) -> Option<Cubic> {
+    let tolerance = effort.tolerance;
+    if source.compared(hermite).at_same_parameter() <= tolerance
+        || effort.depth == DEEPEST
+        || source.by_length(hermite) <= tolerance
+    {
         return Some(*hermite);
     }
-    if !fits {
-        return (measured_error(source, hermite) <= SAFETY * tolerance).then_some(*hermite);
+    if !effort.fits {
+        return None;
     }
-    let proved = |piece: &Cubic| is_proved(&source.cubic, piece, source.offset, tolerance);
-    // The middle, where the plain piece errs most, spares most proofs that would fail.
-    let (error, _) = source.excess(hermite, 0.5)?;
-    if error.abs() <= tolerance && proved(hermite) {
-        return Some(*hermite);
-    }
-    source.collocated(hermite).filter(proved)
+    source.collocated(hermite).filter(|piece| source.compared(piece).at_feet(1) <= tolerance)
 }
 
-/// Largest measured distance of `piece` from the offset [mm].
-fn measured_error(source: &Source, piece: &Cubic) -> f64 {
-    SAMPLES.into_iter().map(|t| source.distance(piece, t)).fold(0.0, f64::max)
-}
-
-/// Joins the offsets before and behind a cusp of the spline itself, where its tangent turns back:
-/// half a circle about the cusp, on the outside, so that nothing is gouged.
-fn join(from: DVec2, to: DVec2, cusp: DVec2, offset: f64, pieces: &mut Vec<MoveCurve>) {
+/// The way from the offset before to that behind a cusp of the spline itself, where its tangent
+/// turns back: half a circle about the cusp, on the outside, so that nothing is gouged.
+fn join(from: DVec2, to: DVec2, cusp: DVec2, offset: f64) -> Option<Arc> {
     // Neighbouring spans differ by rounding only.
-    if from.distance(to) > offset.abs() {
-        let sweep = if offset > 0.0 { -PI } else { PI };
-        if let Ok(arc) = Arc::from_center(from, to, cusp, sweep < 0.0, f64::INFINITY) {
-            pieces.push(MoveCurve::Arc(arc));
-        }
+    if from.distance(to) <= offset.abs() {
+        return None;
     }
+    Arc::from_center(from, to, cusp, offset > 0.0, f64::INFINITY).ok()
 }
