@@ -284,9 +284,9 @@ fn every_program_avoids_what_it_need_not_cut_and_keeps_its_frame() {
     }
 }
 
-/// Two rooms of 20 by 20 mm, a corridor of 6 by 10 mm between them; led in to the first.
+/// Two rooms of 20 by 20 mm, a corridor of 6 by 10 mm between them; led in to the first, and out of it.
 const ROOMS: &str = "G0 Z8\nG0 X10 Y10\nG1 Z-2 F100\nG1 G41 D1 X10 Y0 F400\nX20\nY7\nX30\nY0\nX50\n\
-     Y20\nX30\nY13\nX20\nY20\nX0\nY0\nX10\nG40\nG0 Z8\nM30\n";
+     Y20\nX30\nY13\nX20\nY20\nX0\nY0\nX10\nG40 Y10\nG0 Z8\nM30\n";
 
 #[test]
 fn a_room_behind_a_corridor_is_crossed_to_above_the_part() {

@@ -101,6 +101,8 @@ impl Course {
                 Ok(line) if follows_a_contour && first.role == Role::LeadIn => {
                     first.curve = MoveCurve::Line(line);
                 }
+                // What was avoided may begin anywhere: the tool crosses to there.
+                _ if options.gouge == GougePolicy::Avoid && first.role != Role::LeadIn => {}
                 _ => self.join(at, first, Role::Transition),
             }
         }

@@ -14,7 +14,7 @@ use crate::compensation::{CornerStyle, Options};
 use crate::contour::{
     Attributes, Corner, CornerKind, Lead, Move, MoveCurve, Role, Tool, Transition, TransitionKind,
 };
-use crate::geometry::{Curve, Line};
+use crate::geometry::{Curve, Line, sort_long};
 
 /// Places examined on each straight move round a corner.
 const EXAMINED: u32 = 16;
@@ -39,16 +39,25 @@ impl Stitcher<'_> {
         let last = |chain: &Chain| job_at(chain.stretches[chain.stretches.len() - 1]);
         let starts: Vec<usize> = chains.iter().map(first).collect();
         let ends: Vec<usize> = chains.iter().map(last).collect();
+        // Loops of a contour come before what its leads belong to: from where the lead-out goes, the
+        // program goes on.
+        let is_led = |k: usize| !chains[k].closed || self.has_end(&chains[k], starts[k]);
+        let rank = |&k: &usize| (starts[k], is_led(k), k);
+        let mut order: Vec<usize> = (0..chains.len()).collect();
+        sort_long(&mut order, |a, b| rank(a) < rank(b));
+        let looped: Vec<bool> = (0..chains.len()).map(|k| !is_led(k)).collect();
+        let all_loops = |job| (0..chains.len()).all(|k| starts[k] != job || looped[k]);
         let mut led = vec![false; jobs.len()];
-        for (k, chain) in chains.iter().enumerate() {
-            let contour = jobs[starts[k]].contour;
-            if let Some(lead) = contour.lead_in().filter(|_| !led[starts[k]]) {
+        for (place, &k) in order.iter().enumerate() {
+            let (chain, job) = (&chains[k], starts[k]);
+            let leads_in = !led[job] && (!looped[k] || all_loops(job));
+            if let Some(lead) = jobs[job].contour.lead_in().filter(|_| leads_in) {
                 let to = self.point(chain.stretches[0], false);
                 self.lead(lead, lead.point, to, Role::LeadIn);
             }
-            led[starts[k]] = true;
+            led[job] |= leads_in;
             self.add(chain);
-            let is_last = !ends[k + 1..].contains(&ends[k]);
+            let is_last = !order[place + 1..].iter().any(|&later| ends[later] == ends[k]);
             if let Some(lead) = jobs[ends[k]].contour.lead_out().filter(|_| is_last) {
                 let from = self.point(chain.stretches[chain.stretches.len() - 1], true);
                 self.lead(lead, from, lead.point, Role::LeadOut);
@@ -59,8 +68,23 @@ impl Stitcher<'_> {
         }
     }
 
+    /// Whether an end of its contour is on a chain: an open contour may close by touching itself.
+    fn has_end(&self, chain: &Chain, job: usize) -> bool {
+        let pieces = self.work.pieces_of_range(self.work.ranges[job]);
+        let [first, last] = [chain.stretches[0], chain.stretches[chain.stretches.len() - 1]]
+            .map(|k| &self.stretches[k]);
+        first.piece == pieces.start && first.from == 0.0
+            || last.piece + 1 == pieces.end && last.to == 1.0
+    }
+
     fn lead(&mut self, lead: &Lead, from: DVec2, to: DVec2, role: Role) {
-        self.builder.line_to(from, to, role, &lead.attributes);
+        let z = lead.attributes.z;
+        let curve = match Line::new(from, to) {
+            Ok(line) => MoveCurve::Line(line),
+            Err(_) if z[0] != z[1] => MoveCurve::Vertical(from),
+            Err(_) => return,
+        };
+        self.builder.piece(curve, role, &lead.attributes, z);
     }
 
     fn unit(&self, k: usize) -> usize {
