@@ -169,6 +169,12 @@ fn by_brute_force(case: &Case, contour: &Contour, path: &ToolPath, faults: &mut 
             near = Some(Fault::Near { at, by: nearest });
         }
         if distance - most > farthest {
+            // The oracle's samples may miss a sharp bend, where another way finds the foot.
+            let found = contour.segments().iter().map(|s| s.curve.nearest(at).distance);
+            let distance = found.fold(distance, f64::min);
+            if distance - most <= farthest {
+                continue;
+            }
             farthest = distance - most;
             far = Some(Fault::Far { at, by: farthest });
         }
@@ -228,7 +234,8 @@ fn left_out(
         let next = &segments[(i + 1) % segments.len()];
         let (t1, t2) = (segment.curve.tangent(1.0), next.curve.tangent(0.0));
         let turn = t1.angle_to(t2);
-        if sign * turn < 0.0 {
+        // A reversal may be an inside corner just as well; which, only the bends beside it tell.
+        if sign * turn < 0.0 && turn.abs() < std::f64::consts::PI - 1e-6 {
             let around = |k: u32| {
                 let normal = t1.perp() * (sign * radius);
                 let turned = DVec2::from_angle(turn * (f64::from(k) + 0.5) / 8.0).rotate(normal);
