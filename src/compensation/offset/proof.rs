@@ -275,7 +275,8 @@ impl<'a> Comparison<'a> {
         let r = self.offset.abs();
         // Rounded control vectors turn the normal.
         let turned = self.speed.rounding / self.speed.squared[0].sqrt();
-        ROUNDING * (start.max(end) + r) + turned * r
+        // Not a number where the curve stands still, and nothing is proved.
+        ROUNDING * (start.max(end) + r) + turned.max(0.0) * r
     }
 
     /// The sharpest bound of either kind [mm].
