@@ -1,7 +1,7 @@
 // What lies under the pointer: segments of contours, places on the tool path, corners.
 
 import { type Track, trackOf } from "./draw/track";
-import { transitionPlace } from "./draw/transition";
+import { isFollowed, transitionPlace } from "./draw/transition";
 import { distance, nearestOnLine, type Point } from "./geometry";
 import type { Part } from "./part";
 import type { Lines, Result } from "./result";
@@ -100,7 +100,9 @@ export function nearestCorner(result: Result, p: Point, within: number): number 
 /** The transition that is most worth showing first: an inserted one, else an elongated one. */
 export function showpiece(result: Result): number | undefined {
   for (const kind of ["inserted", "elongated", "shortened"]) {
-    const index = result.transitions.findIndex((transition) => transition.kind === kind);
+    const index = result.transitions.findIndex(
+      (transition) => transition.kind === kind && isFollowed(transition, result),
+    );
     if (index >= 0) return index;
   }
   return undefined;

@@ -9,7 +9,7 @@ import { drawFindings } from "./findings";
 import { drawGrid, drawScale } from "./grid";
 import type { Palette } from "./palette";
 import { type ClosedShape, type Shapes, shapesOf } from "./shapes";
-import { transitionLine, transitionPlace } from "./transition";
+import { isFollowed, transitionLine, transitionPlace } from "./transition";
 
 /** Larger than any part [mm]: what is not pocket is material out to here. */
 const FAR = 1e5;
@@ -103,13 +103,14 @@ function drawPath(context: Context, shapes: Shapes, palette: Palette, px: number
 function drawTransitions(context: Context, view: View, result: Result, palette: Palette): void {
   context.save();
   context.lineCap = "butt";
-  for (const transition of result.transitions) {
+  const shown = result.transitions.filter((transition) => isFollowed(transition, result));
+  for (const transition of shown) {
     const style = palette.kinds[transition.kind];
     const line = transitionLine(transition, result).map((point) => toScreen(view, point));
     if (transition.kind === "shortened") strokeLine(context, line, style.color, 1.25, [2, 3]);
     else strokeLine(context, line, style.color, 4, style.dash);
   }
-  for (const transition of result.transitions) {
+  for (const transition of shown) {
     const place = toScreen(view, transitionPlace(transition, result));
     mark(context, palette.kinds[transition.kind], place, 4.5, palette.paper);
   }

@@ -42,6 +42,34 @@ export function transitionPlace(transition: Transition, result: Result): Point {
   return isOnPath(N2, result) ? N2 : N1;
 }
 
+const vertices = new WeakMap<Result, Set<string>>();
+
+/** Whether the tool path takes a transition: one that avoids gouges may leave it out. */
+export function isFollowed(transition: Transition, result: Result): boolean {
+  if (result.settings.gouge !== "avoid") return true;
+  let known = vertices.get(result);
+  if (!known) {
+    known = new Set();
+    const { points } = result.path;
+    for (let i = 0; i + 1 < points.length; i += 2) {
+      known.add(nameOf(points[i] as number, points[i + 1] as number));
+    }
+    vertices.set(result, known);
+  }
+  const { N1, V, A1 } = transition.construction;
+  const place = A1 ?? V ?? N1 ?? transition.corner;
+  // To within half a step of the names, whichever step the point falls to.
+  const around = [-1, 0, 1].flatMap((dx) => [-1, 0, 1].map((dy) => [dx, dy] as const));
+  return around.some(([dx, dy]) => known.has(nameOf(place[0] + dx * STEP, place[1] + dy * STEP)));
+}
+
+/** Points are told apart to this [mm]. */
+const STEP = 1e-4;
+
+function nameOf(x: number, y: number): string {
+  return `${Math.round(x / STEP)} ${Math.round(y / STEP)}`;
+}
+
 /** The tangents T1 and T2 at a corner. */
 export function tangents(transition: Transition, result: Result): [Point, Point] | undefined {
   const { P, N1, N2 } = transition.construction;

@@ -56,6 +56,8 @@ export function deviationPanel(
   let underWay = false;
   let wanted = false;
   let timer = 0;
+  /** Whether the plots are new, and with them the height of the picture. */
+  let opening = false;
 
   const ask = () => {
     if (section.hidden) return;
@@ -86,6 +88,8 @@ export function deviationPanel(
     if (!found || section.hidden) return;
     const width = Math.max(240, plots.clientWidth);
     const look = (at: Point | undefined) => store.set({ probe: at });
+    if (opening) stage.fitNext();
+    opening = false;
     plots.replaceChildren(
       ...METHODS.map(({ key, name }) => plot(name, found[key], found, width, look)),
     );
@@ -97,6 +101,9 @@ export function deviationPanel(
     store.set({ probe: undefined });
     // The picture has another height now, with its next frame.
     stage.fitNext();
+    opening = !section.hidden;
+    plots.replaceChildren();
+    measured = undefined;
     ask();
     draw();
   });
@@ -207,7 +214,7 @@ function usual(d: Float64Array): number {
 
 /** Where numbers stand on the axis of deviations: the band, and further out what is left room for. */
 function ticks(range: number, tolerance: number): number[] {
-  const step = gridStep(1 / range, 0.62);
+  const step = gridStep(1 / range, 0.35);
   const sizes = tolerance > 0.3 * range ? [tolerance] : [step];
   return [0, ...sizes.flatMap((size) => [size, -size])].filter((off) => Math.abs(off) <= range);
 }

@@ -1,6 +1,7 @@
 // The legend: what the lines and marks of the picture mean, and how many corners take each kind.
 
 import type { Transition } from "g41";
+import { isFollowed } from "../draw/transition";
 import { findingsOf } from "../findings";
 import type { Store } from "../state";
 import { element } from "./elements";
@@ -53,7 +54,8 @@ export function legend(list: HTMLElement, store: Store): void {
   store.subscribe(({ result }, before) => {
     if (!result || result === before.result) return;
     for (const kind of ["shortened", "elongated", "inserted"] satisfies Transition["kind"][]) {
-      const count = result.transitions.filter((transition) => transition.kind === kind).length;
+      const followed = result.transitions.filter((transition) => isFollowed(transition, result));
+      const count = followed.filter((transition) => transition.kind === kind).length;
       const place = counts.get(kind);
       if (place) place.textContent = String(count);
     }
