@@ -80,6 +80,15 @@ pub struct Contour {
 }
 
 impl Contour {
+    /// A contour of segments that are known to follow each other.
+    pub(crate) fn of_segments(
+        segments: Vec<Segment>,
+        closed: bool,
+        [lead_in, lead_out]: [Option<Lead>; 2],
+    ) -> Self {
+        Self { segments, closed, lead_in, lead_out, events: Vec::new() }
+    }
+
     /// Its segments, in order.
     #[must_use]
     pub fn segments(&self) -> &[Segment] {

@@ -95,16 +95,38 @@ pub fn avoid_all(contours: &[(&Contour, Tool)], options: &Options) -> ToolPath {
     path
 }
 
+/// The clear moves along stretches of one contour, without a word about what is left uncut; each
+/// is looked at as if there were nothing else. `has_spline` tells whether the whole contour has one.
+pub(super) fn clear_path(
+    stretches: &[Contour],
+    tool: Tool,
+    options: &Options,
+    has_spline: bool,
+) -> ToolPath {
+    let jobs: Vec<Job> = stretches.iter().map(|contour| Job { contour, tool }).collect();
+    clear_jobs(&jobs, tool.radius(), options, has_spline, false)
+}
+
 fn avoid_jobs(jobs: &[Job], radius: f64, options: &Options) -> ToolPath {
+    let has_spline = |job: &Job| {
+        job.contour.segments().iter().any(|segment| matches!(segment.curve, Curve::Spline(_)))
+    };
+    clear_jobs(jobs, radius, options, jobs.iter().any(has_spline), true)
+}
+
+fn clear_jobs(
+    jobs: &[Job],
+    radius: f64,
+    options: &Options,
+    has_spline: bool,
+    tells_uncut: bool,
+) -> ToolPath {
     let finest = jobs.iter().map(|job| finest_tolerance(job.contour, job.tool)).fold(0.0, f64::max);
     let tolerance = options.usable_tolerance().max(finest);
     let options = &Options { tolerance, spline: SplineMethod::Exact, ..*options };
     let (mut work, nodes) = Workpiece::new(jobs, options);
     let tree = OrderTree::new(nodes);
-    let has_spline = |job: &Job| {
-        job.contour.segments().iter().any(|segment| matches!(segment.curve, Curve::Spline(_)))
-    };
-    let slack = if jobs.iter().any(has_spline) {
+    let slack = if has_spline {
         CLEAR_SHARE * tolerance
     } else {
         EXACT.max(finest).min(CLEAR_SHARE * tolerance)
@@ -138,6 +160,9 @@ fn avoid_jobs(jobs: &[Job], radius: f64, options: &Options) -> ToolPath {
     };
     stitcher.build(&chains);
     let mut path = stitcher.builder.path;
+    if !tells_uncut {
+        return path;
+    }
     path.uncut = uncut(&work, &stretches, jobs[0].tool, tolerance);
     for (index, range) in work.ranges.iter().enumerate() {
         let pieces = work.pieces_of_range(*range);

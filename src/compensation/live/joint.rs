@@ -6,8 +6,9 @@
 
 use glam::DVec2;
 
+use super::Local;
+use super::blocks::Block;
 use super::part::{End, Part, Spot};
-use super::{Block, Local};
 use crate::compensation::corner::{Solved, solve};
 use crate::compensation::lead::{LeadSolution, lead_in, lead_out};
 use crate::compensation::run::Run;

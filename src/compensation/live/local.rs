@@ -2,35 +2,21 @@
 
 use glam::DVec2;
 
+use super::blocks::{BLOCK, Block};
 use super::joint::Joint;
 use super::part::{End, Part, Pen};
 use super::slots::Slots;
-use crate::compensation::Options;
 use crate::compensation::assemble::finest_tolerance;
+use crate::compensation::{GougePolicy, Options};
 use crate::contour::{Contour, ContourBuilder, MoveCurve, Segment, Shape, Tool};
 use crate::geometry::{
     Bounds, ChangedSpans, CurveError, Least, SplineEdit, SplineEnds, in_range, sort_long,
 };
 
-/// Spans of a block; when edits have made it twice as many, it is cut in two.
-const BLOCK: usize = 16;
-
 /// Part of the tolerance below which a change is none. So small a change all but never makes the
 /// pieces of a span others than they would be afresh, and it takes a million of them to come to a
 /// thousandth of the tolerance.
 const UNCHANGED: f64 = 1e-9;
-
-/// Some spans of a part, drawn together.
-#[derive(Debug, Clone)]
-pub(super) struct Block {
-    part: usize,
-    /// Its first span, counted in its part.
-    pub(super) first: usize,
-    pub(super) spans: usize,
-    /// A box around its spans.
-    pub(super) bounds: Bounds,
-    dirty: bool,
-}
 
 /// A contour that can be edited locally: each described segment is one part.
 #[derive(Debug, Clone)]
@@ -45,11 +31,11 @@ pub(super) struct Local {
     /// Far ends of lead-in and lead-out [mm].
     pub(super) leads: [Option<DVec2>; 2],
     /// Largest distance of a chord from its curve [mm].
-    chord: f64,
-    blocks: Vec<Block>,
+    pub(super) chord: f64,
+    pub(super) blocks: Vec<Block>,
     /// Joint `i` is before part `i`, the last behind the last part.
-    joints: Vec<Joint>,
-    dirty: Vec<usize>,
+    pub(super) joints: Vec<Joint>,
+    pub(super) dirty: Vec<usize>,
     stale: Vec<usize>,
     /// Farthest coordinate that the tolerance is good for [mm].
     farthest: f64,
@@ -96,19 +82,54 @@ impl Local {
             let spans = body.spans();
             for first in (0..spans).step_by(BLOCK) {
                 let count = BLOCK.min(spans - first);
-                let bounds = body.bounds(first, count);
-                let block = Block { part, first, spans: count, bounds, dirty: false };
-                local.blocks.push(block);
+                local.blocks.push(Block {
+                    part,
+                    first,
+                    spans: count,
+                    bounds: body.bounds(first, count),
+                    path: Bounds::EMPTY,
+                    breaks: Vec::new(),
+                    dirty: false,
+                });
             }
         }
-        local.joints = (0..=local.parts.len()).map(|index| local.joint(index)).collect();
         path.clear();
         outline.clear();
+        if local.avoids() {
+            for block in 0..local.blocks.len() {
+                local.measure(block);
+            }
+            for (block, left) in local.cut_all().into_iter().enumerate() {
+                local.blocks[block].breaks = left.breaks;
+                path.push(&left.vertices);
+            }
+            local.joints.resize(local.parts.len() + 1, Joint::free());
+        } else {
+            local.joints = (0..=local.parts.len()).map(|index| local.joint(index)).collect();
+            for block in 0..local.blocks.len() {
+                path.push(&local.path_of(block));
+            }
+        }
         for block in 0..local.blocks.len() {
-            path.push(&local.path_of(block));
             outline.push(&local.outline_of(block));
         }
         local
+    }
+
+    /// Whether gouges are avoided.
+    pub(super) fn avoids(&self) -> bool {
+        self.options.gouge == GougePolicy::Avoid
+    }
+
+    /// Measures the boxes of a block.
+    pub(super) fn measure(&mut self, block: usize) {
+        let Block { part, first, spans, .. } = self.blocks[block];
+        let body = &self.parts[part];
+        self.blocks[block].bounds = body.bounds(first, spans);
+        if self.avoids() {
+            let path = body.reach(first, spans, self.tool, &self.options);
+            self.blocks[block].path = path;
+        }
     }
 
     /// The blocks of a part.
@@ -119,7 +140,7 @@ impl Local {
     }
 
     /// The block of a span.
-    fn block_of(&self, part: usize, span: usize) -> usize {
+    pub(super) fn block_of(&self, part: usize, span: usize) -> usize {
         let past = |block: &Block| {
             block.part < part || (block.part == part && block.first + block.spans <= span)
         };
@@ -286,7 +307,7 @@ impl Local {
         }
     }
 
-    fn mark(&mut self, block: usize) {
+    pub(super) fn mark(&mut self, block: usize) {
         if !std::mem::replace(&mut self.blocks[block].dirty, true) {
             self.dirty.push(block);
         }
@@ -306,12 +327,19 @@ impl Local {
     }
 
     /// Makes everything anew that an edit has changed.
-    pub(super) fn update(&mut self, [path, outline]: [&mut Slots; 2]) {
-        for &block in &self.dirty {
-            let Block { part, first, spans, .. } = self.blocks[block];
-            self.blocks[block].bounds = self.parts[part].bounds(first, spans);
+    pub(super) fn update(&mut self, [path, outline]: [&mut Slots; 2], starts: &mut Vec<u32>) {
+        let dirty = self.dirty.clone();
+        // What has been near to the contour before is as much concerned as what is now.
+        let mut changed = Bounds::EMPTY;
+        for block in dirty {
+            let before = self.blocks[block].bounds;
+            self.measure(block);
+            changed = changed.union(before).union(self.blocks[block].bounds);
         }
         let mut stale = std::mem::take(&mut self.stale);
+        if self.avoids() {
+            stale.clear();
+        }
         sort_long(&mut stale, |a, b| a < b);
         stale.dedup();
         for index in stale {
@@ -320,88 +348,24 @@ impl Local {
                 self.replace(index, joint);
             }
         }
-        for block in self.tidied([&mut *path, &mut *outline]) {
+        let drawn = self.tidied([&mut *path, &mut *outline]);
+        let avoids = self.avoids();
+        for &block in &drawn {
             self.blocks[block].dirty = false;
-            path.put(block, &self.path_of(block));
             outline.put(block, &self.outline_of(block));
-        }
-    }
-
-    /// Takes a joint that came out otherwise than before.
-    fn replace(&mut self, index: usize, joint: Joint) {
-        let span =
-            |end: End, whole: usize| if let End::At(spot, _) = end { spot.span } else { whole };
-        let parts = [index.checked_sub(1), Some(index).filter(|&i| i < self.parts.len())];
-        let before = parts.map(|part| part.is_some_and(|part| self.is_passed(part)));
-        let old = std::mem::replace(&mut self.joints[index], joint);
-        for (k, part) in parts.into_iter().enumerate() {
-            let Some(part) = part else { continue };
-            let joint = &self.joints[index];
-            let last = self.parts[part].spans() - 1;
-            let (mut from, mut to) = if k == 0 {
-                (span(old.incoming, last).min(span(joint.incoming, last)), last)
-            } else {
-                (0, span(old.outgoing, 0).max(span(joint.outgoing, 0)))
-            };
-            if before[k] || self.is_passed(part) {
-                (from, to) = (0, last);
-            }
-            for block in self.block_of(part, from.min(last))..=self.block_of(part, to.min(last)) {
-                self.mark(block);
+            if !avoids {
+                path.put(block, &self.path_of(block));
             }
         }
-    }
-
-    /// Whether the ends of a part may pass each other: then its first block has all that is left,
-    /// and the others rest.
-    fn is_passed(&self, part: usize) -> bool {
-        match (self.joints[part].outgoing, self.joints[part + 1].incoming) {
-            (End::At(start, _), End::At(end, _)) => end.span <= start.span,
-            _ => false,
-        }
-    }
-
-    /// Cuts blocks in two that have grown to twice their size, and takes out empty ones; returns
-    /// the blocks that are to be drawn.
-    fn tidied(&mut self, [path, outline]: [&mut Slots; 2]) -> Vec<usize> {
-        let mut dirty = std::mem::take(&mut self.dirty);
-        sort_long(&mut dirty, |a, b| a < b);
-        let mut drawn: Vec<usize> = Vec::with_capacity(dirty.len());
-        // From behind, so that those still to come stay where they are.
-        for &block in dirty.iter().rev() {
-            let spans = self.blocks[block].spans;
-            if spans == 0 {
-                self.blocks.remove(block);
-                path.remove(block);
-                outline.remove(block);
-                for later in &mut drawn {
-                    *later -= 1;
-                }
-                let heir = block.saturating_sub(1);
-                if !std::mem::replace(&mut self.blocks[heir].dirty, true) {
-                    drawn.push(heir);
-                }
-                continue;
+        if avoids && !drawn.is_empty() {
+            for (block, left) in self.cut_around(changed) {
+                self.blocks[block].breaks = left.breaks;
+                path.put(block, &left.vertices);
             }
-            if spans >= 2 * BLOCK {
-                let half = spans / 2;
-                let mut second = self.blocks[block].clone();
-                (second.first, second.spans) = (second.first + half, spans - half);
-                self.blocks[block].spans = half;
-                for half in [&mut self.blocks[block], &mut second] {
-                    half.bounds = self.parts[half.part].bounds(half.first, half.spans);
-                }
-                self.blocks.insert(block + 1, second);
-                path.split(block);
-                outline.split(block);
-                for later in &mut drawn {
-                    *later += 1;
-                }
-                drawn.push(block + 1);
-            }
-            drawn.push(block);
         }
-        drawn
+        if avoids {
+            self.update_starts(path, starts);
+        }
     }
 
     fn path_of(&self, block: usize) -> Vec<DVec2> {

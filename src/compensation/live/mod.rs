@@ -7,17 +7,19 @@
 //! a contour cannot be followed segment by segment, because something about it is wrong, or where
 //! what is asked for depends on the whole of it, everything is made anew.
 
+mod blocks;
 mod joint;
 mod local;
 mod part;
 mod slots;
+mod window;
 
 use std::fmt;
 use std::ops::Range;
 
 use glam::DVec2;
 
-use self::local::{Block, Local, NotLocal};
+use self::local::{Local, NotLocal};
 use self::part::Pen;
 use self::slots::Slots;
 use super::policy::compensate_all;
@@ -247,7 +249,9 @@ impl LiveContour {
     pub fn update(&mut self) -> Update {
         let wanted = self.stale || self.edits > MOST_EDITS;
         match &mut self.local {
-            Some(local) if !wanted => local.update([&mut self.path, &mut self.outline]),
+            Some(local) if !wanted => {
+                local.update([&mut self.path, &mut self.outline], &mut self.starts);
+            }
             None if !wanted => {}
             _ => self.rebuild(),
         }
@@ -345,14 +349,21 @@ impl LiveContour {
             return;
         };
         let Options { gouge, spline, passes, .. } = self.options;
-        let plain =
-            (gouge, spline, passes) == (GougePolicy::Report, SplineMethod::Exact, Passes::One);
-        if plain && diagnostics.is_empty() {
+        let is_local = match gouge {
+            GougePolicy::Report => spline == SplineMethod::Exact && passes == Passes::One,
+            GougePolicy::Avoid => passes == Passes::One,
+            GougePolicy::Stop => false,
+        };
+        if is_local && diagnostics.is_empty() {
             let slots = [&mut self.path, &mut self.outline];
             let local =
                 Local::new(&contour, self.closed, self.tool, &self.options, self.chord, slots);
+            if gouge == GougePolicy::Avoid {
+                local.update_starts(&self.path, &mut self.starts);
+            } else {
+                self.starts.push(0);
+            }
             self.local = Some(local);
-            self.starts.push(0);
             return;
         }
         let mut outline = Pen { chord: self.chord, vertices: Vec::new() };

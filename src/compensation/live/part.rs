@@ -96,6 +96,37 @@ impl Part {
         }
     }
 
+    /// A box around the whole offset of some spans, and of the way round the end of the last.
+    pub(super) fn reach(
+        &self,
+        first: usize,
+        count: usize,
+        tool: Tool,
+        options: &Options,
+    ) -> Bounds {
+        let (offset, tolerance) = (tool.offset(), options.usable_tolerance());
+        let mut pieces = Vec::new();
+        let end = match self {
+            Self::Plain(segment) => {
+                pieces = Run::new(segment, tool, options).pieces;
+                segment.curve.end()
+            }
+            Self::Spline(spline, _) => {
+                for span in first..first + count {
+                    let cubic = spline.cubic(span);
+                    offset_span(&cubic, offset, tolerance, None, &mut pieces, &mut |_, _| {});
+                }
+                spline.points()[first + count]
+            }
+        };
+        let mut bounds = Bounds::EMPTY;
+        if first + count == self.spans() {
+            // The straight way round a corner reaches out to √2 times the radius.
+            bounds = Bounds::of([end]).inflated(1.5 * tool.radius());
+        }
+        pieces.iter().map(MoveCurve::hull_bounds).fold(bounds, Bounds::union)
+    }
+
     /// Appends the polyline of some spans.
     pub(super) fn outline(&self, first: usize, count: usize, pen: &mut Pen) {
         match self {

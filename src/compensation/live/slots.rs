@@ -51,6 +51,21 @@ impl Slots {
         &self.points
     }
 
+    /// The vertices that have changed since `take_changed`.
+    pub(super) fn changed(&self) -> Range<usize> {
+        self.changed.clone()
+    }
+
+    /// Index of the first vertex of a slot.
+    pub(super) fn start(&self, slot: usize) -> usize {
+        self.list[slot].at
+    }
+
+    /// The slot that a vertex is in.
+    pub(super) fn slot_of(&self, vertex: usize) -> usize {
+        self.list.partition_point(|slot| slot.end() <= vertex)
+    }
+
     /// The vertices that have changed since this was last asked.
     pub(super) fn take_changed(&mut self) -> Range<usize> {
         std::mem::take(&mut self.changed)

@@ -1,0 +1,172 @@
+//! Avoiding gouges around an edit: only where path and contour are near enough to what has changed.
+//!
+//! What is left of the path of some spans depends on the contour within the tool's radius of it,
+//! and on the paths that cross it there, which belong to that same contour. So the blocks whose path
+//! comes near to what has changed, before or now, are cut anew, and all blocks whose contour is near
+//! to those paths take part in it. Nothing else is looked at but the boxes of the other blocks.
+
+use glam::DVec2;
+
+use super::Local;
+use super::blocks::Block;
+use super::part::{Part, Pen};
+use super::slots::Slots;
+use crate::compensation::avoid::clear_path;
+use crate::contour::{Attributes, Contour, Lead, Role, Segment};
+use crate::diagnostic::Origin;
+use crate::geometry::Bounds;
+
+/// Distance from which on two stretches do not follow each other [mm].
+const GAP: f64 = 1e-6;
+
+/// What is left of the path of a block.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Left {
+    pub(super) vertices: Vec<DVec2>,
+    /// Where a new stretch begins, the first apart.
+    pub(super) breaks: Vec<u32>,
+}
+
+impl Local {
+    /// Cuts the paths of all blocks.
+    pub(super) fn cut_all(&mut self) -> Vec<Left> {
+        let all: Vec<usize> = (0..self.blocks.len()).collect();
+        self.cut(&all, &|_| true)
+    }
+
+    /// Cuts again what an edit inside a box may have changed; returns the blocks concerned and what
+    /// is left of them.
+    pub(super) fn cut_around(&mut self, changed: Bounds) -> Vec<(usize, Left)> {
+        let reach = self.tool.radius() + self.options.usable_tolerance();
+        let near = changed.inflated(reach);
+        let is_concerned = |block: &Block| block.path.meets(&near);
+        let concerned = self.blocks.iter().filter(|block| is_concerned(block));
+        let paths = concerned.map(|block| block.path).fold(changed, Bounds::union);
+        let around = paths.inflated(reach);
+        let list: Vec<usize> = (0..self.blocks.len())
+            .filter(|&k| self.blocks[k].bounds.meets(&around) || is_concerned(&self.blocks[k]))
+            .collect();
+        let left = self.cut(&list, &|block| is_concerned(&self.blocks[block]));
+        let cut = list.into_iter().zip(left);
+        cut.filter(|&(block, _)| is_concerned(&self.blocks[block])).collect()
+    }
+
+    /// Cuts the paths of some blocks, in order, as if there were no others; tells what is left of
+    /// those that are asked for.
+    fn cut(&self, list: &[usize], wanted: &dyn Fn(usize) -> bool) -> Vec<Left> {
+        let mut left = vec![Left::default(); list.len()];
+        let runs = self.runs(list);
+        let path = clear_path(&runs, self.tool, &self.options, self.has_spline());
+        // What leads from the last segment to the lead-out names the first of its run.
+        let led_out = runs.iter().find(|run| run.lead_out().is_some()).map(|run| {
+            let segments = run.segments();
+            [&segments[0], &segments[segments.len() - 1]].map(|segment| segment.attributes.origin)
+        });
+        let mut before = None;
+        let mut pen = Pen { chord: self.chord, vertices: Vec::new() };
+        let (mut last, mut end) = (usize::MAX, None);
+        for step in &path.moves {
+            let mut origin = step.origin;
+            if let Some([first, last]) = led_out
+                && (step.role, origin, before) == (Role::Transition, first, Some(last))
+            {
+                origin = last;
+            }
+            before = Some(origin);
+            let Origin::Segment(block) = origin else { continue };
+            let Ok(k) = list.binary_search(&(block as usize)) else { continue };
+            let start = step.curve.start();
+            let follows = end.is_some_and(|end: DVec2| end.distance(start) <= GAP) && last == k;
+            (last, end) = (k, Some(step.curve.end()));
+            if !wanted(block as usize) {
+                continue;
+            }
+            let own = &mut left[k];
+            if !follows && !own.vertices.is_empty() {
+                own.breaks.push(u32::try_from(own.vertices.len()).unwrap_or(u32::MAX));
+            }
+            std::mem::swap(&mut pen.vertices, &mut own.vertices);
+            if !follows {
+                pen.vertices.push(start);
+            }
+            pen.curve(&step.curve);
+            std::mem::swap(&mut pen.vertices, &mut own.vertices);
+        }
+        for (own, &block) in left.iter_mut().zip(list) {
+            if own.vertices.is_empty() {
+                // Nothing is left: a piece without length, where the block begins.
+                let Block { part, first, .. } = self.blocks[block];
+                own.vertices.push(self.parts[part].section(first, 1).curve.start());
+            }
+        }
+        left
+    }
+
+    fn has_spline(&self) -> bool {
+        self.parts.iter().any(|part| matches!(part, Part::Spline(..)))
+    }
+
+    /// Stretches of the contour made of blocks that follow each other; the segments of each are
+    /// the blocks, which they name as their origin.
+    fn runs(&self, list: &[usize]) -> Vec<Contour> {
+        let count = self.blocks.len();
+        let follows = |a: usize, b: usize| a + 1 == b || self.closed && a + 1 == count && b == 0;
+        let whole = list.len() == count && self.closed;
+        // A stretch may go on from the last block to the first.
+        let first = if whole {
+            0
+        } else {
+            (0..list.len())
+                .find(|&k| !follows(list[(k + list.len() - 1) % list.len()], list[k]))
+                .unwrap_or(0)
+        };
+        let mut runs = Vec::new();
+        let mut segments: Vec<Segment> = Vec::new();
+        let mut leads = [None, None];
+        for k in 0..list.len() {
+            let block = list[(first + k) % list.len()];
+            let Block { part, first: span, spans, .. } = self.blocks[block];
+            let mut segment = self.parts[part].section(span, spans);
+            let origin = Origin::Segment(u32::try_from(block).unwrap_or(u32::MAX));
+            segment.attributes = Attributes::at(origin);
+            let lead = |point| Lead { point, attributes: segment.attributes };
+            if block == 0 {
+                leads[0] = self.leads[0].map(lead);
+            }
+            if block + 1 == count {
+                leads[1] = self.leads[1].map(lead);
+            }
+            segments.push(segment);
+            let next = list[(first + k + 1) % list.len()];
+            if k + 1 == list.len() || !follows(block, next) {
+                let segments = std::mem::take(&mut segments);
+                runs.push(Contour::of_segments(segments, whole, std::mem::take(&mut leads)));
+            }
+        }
+        runs
+    }
+
+    /// Brings the starts of pieces up to date where vertices of blocks have changed.
+    pub(super) fn update_starts(&self, path: &Slots, starts: &mut Vec<u32>) {
+        let changed = path.changed();
+        if changed.is_empty() {
+            return;
+        }
+        let from = path.slot_of(changed.start);
+        let to = (path.slot_of(changed.end - 1) + 2).min(self.blocks.len());
+        let place = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
+        let low = starts.partition_point(|&start| start < place(path.start(from)));
+        let end = if to < self.blocks.len() { path.start(to) } else { path.points().len() / 2 };
+        let high = starts.partition_point(|&start| start < place(end));
+        let vertex = |i: usize| DVec2::new(path.points()[2 * i], path.points()[2 * i + 1]);
+        let mut fresh = Vec::new();
+        for block in from..to {
+            let at = path.start(block);
+            if at == 0 || vertex(at - 1).distance(vertex(at)) > GAP {
+                fresh.push(place(at));
+            }
+            fresh.extend(self.blocks[block].breaks.iter().map(|&k| place(at) + k));
+        }
+        starts.splice(low..high, fresh);
+    }
+}
