@@ -588,10 +588,12 @@ export interface LiveUpdate {
  * A contour that is edited, and its tool path, of which every edit makes anew what it changes and
  * no more: moving one of a hundred thousand type points costs what moving one of a hundred does.
  * However many edits came before, the path is within a hundredth of the tolerance of what
- * `compensate` gives for the same contour.
+ * `compensate` gives for the same contour; with `gouge: "avoid"`, within the tolerance beside places
+ * where something is cut out. There a piece of one point, which is nothing to draw, may stand where
+ * nothing of the path is left.
  *
- * With `gouge: "avoid"` or `"stop"`, with `spline: "type-points"`, and where something is wrong with
- * the contour, every update makes everything anew.
+ * With `gouge: "stop"`, with `spline: "type-points"` (unless gouges are avoided), and where something
+ * is wrong with the contour, every update makes everything anew.
  *
  * A handle into the WebAssembly's memory: it frees itself when it is no longer reachable, or at the
  * end of the block that declares it with `using`.

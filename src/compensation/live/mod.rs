@@ -69,9 +69,11 @@ pub struct Update {
 /// A contour, its tool path as polylines, and edits that change no more of them than they must.
 ///
 /// The path is what [`compensate_all`] gives, to within a hundredth of the tolerance, as polylines
-/// within a chord tolerance of their own; vertices may be repeated. Gouges that are avoided, or
-/// refused, and type points that are moved, depend on the whole contour: with those every update
-/// makes everything anew.
+/// within a chord tolerance of their own; vertices may be repeated. Where gouges are avoided it is so
+/// to within the tolerance beside what is cut out, since only the neighbourhood of an edit is looked
+/// at, and a piece of one point may stand where nothing is left. Gouges that are refused, and type
+/// points that are moved, depend on the whole contour: with those every update makes everything
+/// anew.
 #[derive(Debug, Clone)]
 pub struct LiveContour {
     described: ContourBuilder,
