@@ -44,7 +44,10 @@ function grab({ contour, settings }: Grab): void {
   const { corner, spline, tolerance } = settings;
   const radius = contour.radius ?? settings.radius;
   // What depends on the whole contour would be computed at every step.
-  const local = { gouge: "report", spline: "exact" } as const;
+  const local = {
+    gouge: settings.gouge === "avoid" ? "avoid" : "report",
+    spline: "exact",
+  } as const;
   const options = { radius, corner, spline, tolerance, gouge: settings.gouge, chordTolerance };
   live = new LiveContour(contour, many ? { ...options, ...local } : options);
 }
