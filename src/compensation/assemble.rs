@@ -6,7 +6,7 @@ use super::corner::{Solved, solve};
 use super::lead::{LeadSolution, lead_in, lead_out};
 use super::path::{PathBuilder, between};
 use super::report;
-use super::run::Run;
+use super::run::{Run, with_start};
 use super::transition::{Solution, Terminal, polyline};
 use super::type_points::as_moves;
 use super::{Options, SplineMethod};
@@ -81,6 +81,9 @@ struct Assembly<'a> {
 impl Assembly<'_> {
     fn build(&self) -> ToolPath {
         let mut builder = PathBuilder::default();
+        // At most three moves are inserted at a corner.
+        let count = self.runs.iter().map(|run| run.pieces.len() + 3).sum();
+        builder.path.moves.reserve_exact(count);
         self.add_lead_in(&mut builder);
         for (i, run) in self.runs.iter().enumerate() {
             if i > 0 {
@@ -280,11 +283,18 @@ impl Assembly<'_> {
             self.add_type_points(builder, run, [start, end]);
             return;
         }
-        let (moves, backwards) = run.between(start, end);
+        let whole = run.is_whole(start, end);
+        let (cut, backwards) = if whole { (Vec::new(), false) } else { run.between(start, end) };
+        let moves = if whole { &run.pieces } else { &cut };
         let around = i.saturating_sub(1)..(i + 2).min(self.runs.len());
         let segments: Vec<_> = self.runs[around].iter().map(|run| run.segment).collect();
-        for bend in &run.bends {
-            let cut = report::as_cut(bend, &moves, run.segment, &segments, self.tool, tolerance);
+        for bend in &run.bends(self.tool.offset()) {
+            // Where nothing is cut away and there is no neighbour, it is the cut.
+            let cut = if whole && segments.len() == 1 {
+                *bend
+            } else {
+                report::as_cut(bend, moves, run.segment, &segments, self.tool, tolerance)
+            };
             if cut.depth > tolerance {
                 report::bend(&mut builder.path, &cut, attributes.origin, self.tool);
             }
@@ -294,12 +304,18 @@ impl Assembly<'_> {
                 &mut builder.path,
                 &segments,
                 run.segment,
-                &moves,
+                moves,
                 self.tool,
                 tolerance,
             );
         }
-        builder.moves(&moves, Role::Segment, attributes);
+        let first = builder.path.moves.len();
+        builder.moves(moves, Role::Segment, attributes);
+        if let (true, Terminal::Moved(point), Some(first)) =
+            (whole, start, builder.path.moves.get_mut(first))
+        {
+            first.curve = with_start(&first.curve, point);
+        }
     }
 
     /// The spline through moved type points, and how far it is off.
@@ -340,7 +356,7 @@ impl Assembly<'_> {
             );
         }
         let moves = as_moves(&moved);
-        for bend in &run.bends {
+        for bend in &run.bends(self.tool.offset()) {
             let cut = report::as_moved(bend, &moves, run.segment, self.tool);
             if cut.depth > self.options.usable_tolerance() {
                 report::bend(&mut builder.path, &cut, origin, self.tool);

@@ -19,7 +19,6 @@ pub(super) struct Run<'a> {
     /// for the ends of the spline: the equidistants of its first and last leg.
     pub(super) pieces: Vec<MoveCurve>,
     /// For each span of a spline, where its pieces end; empty for anything else.
-    #[allow(dead_code, reason = "live edits and avoidance look spans up")]
     pub(super) spans: Vec<SpanEnd>,
     /// Ends of the whole offset [mm].
     pub(super) ends: [DVec2; 2],
@@ -27,8 +26,6 @@ pub(super) struct Run<'a> {
     pub(super) tangents: [DVec2; 2],
     /// Curvatures there [1/mm].
     pub(super) curvatures: [f64; 2],
-    /// Stretches that bend tighter than the tool.
-    pub(super) bends: Vec<Bend>,
     /// The polygon of type points, where those are what is moved.
     pub(super) polygon: Option<Polygon<'a>>,
 }
@@ -40,29 +37,22 @@ impl<'a> Run<'a> {
         let mut tangents = [curve.tangent(0.0), curve.tangent(1.0)];
         let mut curvatures = [curve.curvature(0.0), curve.curvature(1.0)];
         let mut polygon = None;
-        let mut bends = Vec::new();
         let mut spans = Vec::new();
         let pieces = match curve {
             Curve::Line(line) => one(offset_line(line, offset).map(MoveCurve::Line)),
             Curve::Arc(arc) => match offset_arc(arc, offset) {
-                ArcOffset::Arc(arc) => vec![MoveCurve::Arc(arc)],
+                ArcOffset::Arc(arc) | ArcOffset::Reversed(arc, _) => vec![MoveCurve::Arc(arc)],
                 ArcOffset::Point => Vec::new(),
-                ArcOffset::Reversed(arc, bend) => {
-                    bends.push(bend);
-                    vec![MoveCurve::Arc(arc)]
-                }
             },
             Curve::Spline(spline) if options.spline == SplineMethod::TypePoints => {
                 let legs = Polygon::new(spline, tool);
                 tangents = legs.tangents();
                 curvatures = [0.0, 0.0];
                 polygon = Some(legs);
-                bends = spline_bends(spline, offset);
                 Vec::new()
             }
             Curve::Spline(spline) => {
                 let whole = offset_spline(spline, offset, options.usable_tolerance());
-                bends = whole.bends;
                 spans = whole.spans;
                 whole.pieces
             }
@@ -73,12 +63,39 @@ impl<'a> Run<'a> {
         if let (Some(first), Some(last)) = (pieces.first(), pieces.last()) {
             ends = [first.start(), last.end()];
         }
-        Self { segment, pieces, spans, ends, tangents, curvatures, bends, polygon }
+        Self { segment, pieces, spans, ends, tangents, curvatures, polygon }
     }
 
     /// Whether its offset is one straight line, which a corner may run on.
     pub(super) fn is_straight(&self) -> bool {
         matches!(self.segment.curve, Curve::Line(_))
+    }
+
+    /// The stretches that bend tighter than a tool at `offset` [mm].
+    pub(super) fn bends(&self, offset: f64) -> Vec<Bend> {
+        match &self.segment.curve {
+            Curve::Arc(arc) => match offset_arc(arc, offset) {
+                ArcOffset::Reversed(_, bend) => vec![bend],
+                ArcOffset::Arc(_) | ArcOffset::Point => Vec::new(),
+            },
+            Curve::Spline(spline)
+                if self.polygon.is_some() || !self.spans.iter().all(|span| span.fits) =>
+            {
+                spline_bends(spline, offset)
+            }
+            Curve::Line(_) | Curve::Spline(_) => Vec::new(),
+        }
+    }
+
+    /// Whether nothing is cut off or run on between two terminals, and the start is moved by no more
+    /// than a rounding.
+    pub(super) fn is_whole(&self, start: Terminal, end: Terminal) -> bool {
+        let starts = match start {
+            Terminal::Whole => true,
+            Terminal::Moved(point) => point.distance(self.ends[0]) <= MIN_LENGTH,
+            Terminal::To(_) | Terminal::At(_) => false,
+        };
+        starts && matches!(end, Terminal::Whole) && !self.is_straight() && !self.pieces.is_empty()
     }
 
     /// The offset between two terminals. The flag tells whether it came out running backwards:

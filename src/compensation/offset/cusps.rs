@@ -1,8 +1,9 @@
 //! Where the offset of a cubic has a cusp: the roots of `1 − δ κ`.
 //!
 //! With `κ = (C' × C'') / |C'|³` the sign of `1 − δκ` is that of `|C'|³ − δ (C' × C'')`. Bounds of
-//! both terms from Bernstein coefficients tell whole stretches of one sign; what is left is halved,
-//! so that no pair of cusps can hide between two samples.
+//! both terms from Bernstein coefficients tell stretches of one sign, and those of its derivative
+//! `3 |C'| (C' · C'') − δ (C' × C''')` stretches on which it has one root at most; what is left is
+//! halved, so that no pair of cusps can hide between two samples.
 
 use crate::geometry::{Cubic, cross, halve};
 
@@ -26,10 +27,10 @@ pub(super) fn cusps(cubic: &Cubic, offset: f64) -> Vec<f64> {
     let mut undecided = Vec::new();
     Terms::new(cubic, offset).collect(0.0, 1.0, 0, &mut undecided);
     let mut found: Vec<f64> = Vec::new();
-    for (from, to) in undecided {
+    for Bracket { from, to, .. } in undecided {
         let (at_from, at_to) = (room(cubic, offset, from), room(cubic, offset, to));
-        if at_from * at_to < 0.0 {
-            let t = bisect(cubic, offset, (from, at_from), to);
+        if (at_from < 0.0) != (at_to < 0.0) {
+            let t = sign_change(cubic, offset, [from, to], [at_from, at_to]);
             if t > 0.0 && t < 1.0 && found.last().is_none_or(|&last| t > last) {
                 found.push(t);
             }
@@ -38,10 +39,20 @@ pub(super) fn cusps(cubic: &Cubic, offset: f64) -> Vec<f64> {
     found
 }
 
+/// A stretch that may have a cusp.
+struct Bracket {
+    from: f64,
+    to: f64,
+    /// Whether it has one at most.
+    one: bool,
+}
+
 /// What the Bernstein bounds tell of a stretch.
 enum Sign {
     Positive,
     Negative,
+    /// Changing at most once.
+    Monotone,
     /// Too near zero to matter, over the whole stretch.
     Still,
     Unknown,
@@ -75,9 +86,10 @@ impl Terms {
     }
 
     /// Collects, in order, the smallest stretches whose sign the bounds do not tell.
-    fn collect(&self, from: f64, to: f64, depth: u32, undecided: &mut Vec<(f64, f64)>) {
+    fn collect(&self, from: f64, to: f64, depth: u32, undecided: &mut Vec<Bracket>) {
         match self.sign() {
             Sign::Positive | Sign::Negative => {}
+            Sign::Monotone => undecided.push(Bracket { from, to, one: true }),
             Sign::Unknown if depth < MAX_DEPTH => {
                 let middle = 0.5 * (from + to);
                 let (mut left, mut right) = (*self, *self);
@@ -88,18 +100,14 @@ impl Terms {
             }
             Sign::Still | Sign::Unknown => match undecided.last_mut() {
                 // Neighbours are one stretch, so that a root on their boundary is not lost.
-                Some(last) if last.1 == from => last.1 = to,
-                _ => undecided.push((from, to)),
+                Some(last) if last.to == from && !last.one => last.to = to,
+                _ => undecided.push(Bracket { from, to, one: false }),
             },
         }
     }
 
     /// Sign of `|C'|³ − δ (C' × C'')` over the whole stretch, from bounds of both terms.
     fn sign(&self) -> Sign {
-        let range = |values: &[f64]| {
-            let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-            (least, values.iter().copied().fold(f64::NEG_INFINITY, f64::max))
-        };
         let (slowest, fastest) = range(&self.speed_squared);
         let (least, most) = range(&self.bend);
         // Speed cubed, from its square.
@@ -111,28 +119,64 @@ impl Terms {
             Sign::Negative
         } else if (fastest - least).max(most - slowest) < STILL * slowest {
             Sign::Still
+        } else if self.is_monotone(slowest.cbrt(), fastest.cbrt()) {
+            Sign::Monotone
         } else {
             Sign::Unknown
         }
     }
+
+    /// Whether the derivative `3 |C'| (C' · C'') − δ (C' × C''')` keeps its sign, from bounds of
+    /// its terms.
+    fn is_monotone(&self, slowest: f64, fastest: f64) -> bool {
+        let s = &self.speed_squared;
+        let [b0, b1, b2] = self.bend;
+        // (|C'|²)' = 2 C' · C'', of degree 3 by differences.
+        let (least, most) = range(&[s[1] - s[0], s[2] - s[1], s[3] - s[2], s[4] - s[3]]);
+        let (least_turn, most_turn) = range(&[b1 - b0, b2 - b1]);
+        let low = 6.0 * least * if least > 0.0 { slowest } else { fastest };
+        let high = 6.0 * most * if most > 0.0 { fastest } else { slowest };
+        low > 2.0 * most_turn || high < 2.0 * least_turn
+    }
 }
 
-/// The sign change in a bracket of which one value is known.
-fn bisect(cubic: &Cubic, offset: f64, from: (f64, f64), to: f64) -> f64 {
-    let (mut low, at_low) = from;
-    let mut high = to;
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
+/// Least and largest value.
+fn range(values: &[f64]) -> (f64, f64) {
+    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), &value| {
+        (least.min(value), most.max(value))
+    })
+}
+
+/// The sign change in a bracket with the given values at its ends: regula falsi in the Illinois
+/// variant, and halving where that does not come in.
+fn sign_change(cubic: &Cubic, offset: f64, ends: [f64; 2], values: [f64; 2]) -> f64 {
+    let ([mut low, mut high], [mut at_low, mut at_high]) = (ends, values);
+    let mut kept_low = None;
+    for step in 0..60 {
+        let secant = (low * at_high - high * at_low) / (at_high - at_low);
+        let inside = secant > low && secant < high && step < 20;
+        let t = if inside { secant } else { 0.5 * (low + high) };
+        if t <= low || t >= high || high - low < 1e-15 {
             break;
         }
-        if room(cubic, offset, middle) * at_low > 0.0 {
-            low = middle;
+        let here = room(cubic, offset, t);
+        if here == 0.0 {
+            return t;
+        }
+        if (here < 0.0) == (at_low < 0.0) {
+            // An end that stays put twice gets half its weight, or it would stay for ever.
+            if kept_low == Some(false) {
+                at_high *= 0.5;
+            }
+            (low, at_low, kept_low) = (t, here, Some(false));
         } else {
-            high = middle;
+            if kept_low == Some(true) {
+                at_low *= 0.5;
+            }
+            (high, at_high, kept_low) = (t, here, Some(true));
         }
     }
-    0.5 * (low + high)
+    if at_low.abs() < at_high.abs() { low } else { high }
 }
 
 #[cfg(test)]

@@ -10,6 +10,7 @@ use super::Bend;
 use super::bend::{Stretch, bends};
 use super::cusps::{cusps, room};
 use super::fit::{End, Source, hermite};
+use super::proof::Speed;
 use crate::contour::MoveCurve;
 use crate::geometry::{Arc, Cubic, MIN_LENGTH, Spline};
 
@@ -26,13 +27,10 @@ pub(in crate::compensation) struct SplineOffset {
     pub(in crate::compensation) pieces: Vec<MoveCurve>,
     /// For each span, where its pieces end.
     pub(in crate::compensation) spans: Vec<SpanEnd>,
-    /// Where the spline bends tighter than the tool.
-    pub(in crate::compensation) bends: Vec<Bend>,
 }
 
 /// The end of a span in the list of pieces.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-#[allow(dead_code, reason = "live edits and avoidance look spans up")]
 pub(in crate::compensation) struct SpanEnd {
     /// How many pieces there are up to its end.
     pub(in crate::compensation) pieces: u32,
@@ -48,17 +46,13 @@ pub(in crate::compensation) fn offset_spline(
 ) -> SplineOffset {
     let mut pieces: Vec<MoveCurve> = Vec::with_capacity(spline.pieces().len());
     let mut spans = Vec::with_capacity(spline.pieces().len());
-    let mut tight: Vec<Stretch> = Vec::new();
-    for (span, cubic) in spline.pieces().iter().enumerate() {
+    for cubic in spline.pieces() {
         let before = pieces.last().map(MoveCurve::end);
-        let fits = offset_span(cubic, offset, tolerance, before, &mut pieces, &mut |from, to| {
-            tight.push(Stretch { span, from, to });
-        });
+        let fits = offset_span(cubic, offset, tolerance, before, &mut pieces, &mut |_, _| {});
         let pieces = u32::try_from(pieces.len()).unwrap_or(u32::MAX);
         spans.push(SpanEnd { pieces, fits });
     }
-    let bends = bends(spline, offset, &tight);
-    SplineOffset { pieces, spans, bends }
+    SplineOffset { pieces, spans }
 }
 
 /// Appends the offset of one span, and tells whether the tool fits all along it; where it does not,
@@ -138,6 +132,9 @@ struct Effort {
 pub(in crate::compensation) fn spline_bends(spline: &Spline, offset: f64) -> Vec<Bend> {
     let mut tight: Vec<Stretch> = Vec::new();
     for (span, cubic) in spline.pieces().iter().enumerate() {
+        if Speed::new(cubic.hodograph()).surely_fits(offset) {
+            continue;
+        }
         each_stretch(cubic, offset, &mut |_, from, to, fits| {
             if !fits {
                 tight.push(Stretch { span, from, to });
