@@ -10,6 +10,9 @@ pub(crate) type Bezier = [DVec2; 4];
 /// Dense feet tried on a span where the way from the last one fails.
 const DENSE: u32 = 64;
 
+/// Levels of dense feet, each of 16 times the density.
+const LEVELS: usize = 4;
+
 /// Spans tried before and after the last one, where a path may have turned back at a cusp.
 const AROUND: usize = 1;
 
@@ -131,21 +134,40 @@ impl Equidistant<'_> {
     /// golden sections.
     fn dense(&self, center: DVec2, span: usize) -> (f64, Foot) {
         let off = |t: f64| self.place(Foot { span, t }).distance(center);
-        let step = 1.0 / f64::from(DENSE);
         let (mut best, mut at) = (f64::INFINITY, 0.0);
-        for k in 0..=DENSE {
-            let t = f64::from(k) * step;
-            if off(t) < best {
-                (best, at) = (off(t), t);
+        let (mut from, mut to) = (0.0, 1.0);
+        // Beside a cusp two branches run close together: each level looks at both more finely.
+        for _ in 0..LEVELS {
+            let step = (to - from) / f64::from(DENSE);
+            let samples: Vec<f64> = (0..=DENSE).map(|k| off(from + f64::from(k) * step)).collect();
+            let middle = at;
+            for (k, &here) in (0..).zip(&samples) {
+                let beside = |k: usize| samples.get(k).copied().unwrap_or(f64::INFINITY);
+                if here > beside(k + 1) || k > 0 && here > beside(k - 1) {
+                    continue;
+                }
+                let t = from + k as f64 * step;
+                let (mut low, mut high) = ((t - step).max(0.0), (t + step).min(1.0));
+                for _ in 0..50 {
+                    let third = (high - low) / 3.0;
+                    if off(low + third) < off(high - third) {
+                        high -= third;
+                    } else {
+                        low += third;
+                    }
+                }
+                for t in [t, 0.5 * (low + high)] {
+                    if off(t) < best {
+                        (best, at) = (off(t), t);
+                    }
+                }
             }
+            if best < self.doubt || at == middle {
+                break;
+            }
+            (from, to) = ((at - 2.0 * step).max(0.0), (at + 2.0 * step).min(1.0));
         }
-        let (mut low, mut high) = ((at - step).max(0.0), (at + step).min(1.0));
-        for _ in 0..60 {
-            let third = (high - low) / 3.0;
-            if off(low + third) < off(high - third) { high -= third } else { low += third }
-        }
-        let t = 0.5 * (low + high);
-        if off(t) < best { (off(t), Foot { span, t }) } else { (best, Foot { span, t: at }) }
+        (best, Foot { span, t: at })
     }
 
     /// The foot of a path's first point: the span over which the equidistant is nearest, from

@@ -1,7 +1,7 @@
 //! Pieces and true errors of offsets, beside kurbo's, from at least 1e5 samples of each curve in
 //! twice the digits.
 
-use g41::compensation::compensate;
+use g41::compensation::{compensate, proved_offset};
 use g41::contour::{MoveCurve, ToolPath};
 use g41::geometry::Spline;
 use glam::DVec2;
@@ -87,11 +87,57 @@ fn judge_kurbo(
     verdict
 }
 
+/// Pieces whose bounds are looked at, evenly spread over the curve, and samples of each.
+const BOUNDED: usize = 4_000;
+const SAMPLES_OF_BOUNDED: usize = 200;
+
+/// How the proved bounds of pieces compare with their true errors.
+#[derive(Debug, Clone, Copy)]
+struct Bounds {
+    /// Largest bound [mm].
+    largest: f64,
+    /// Least and median quotient of bound and true error.
+    least: f64,
+    median: f64,
+    /// Pieces without a bound.
+    unproved: usize,
+}
+
+fn bounds(spline: &Spline, spans: &[Bezier], radius: f64, tolerance: f64) -> Bounds {
+    let pieces = proved_offset(spline, radius, tolerance);
+    let mut quotients = Vec::new();
+    for proved in pieces.iter().step_by(pieces.len().div_ceil(BOUNDED)) {
+        let Some(piece) = bezier(&proved.curve) else { continue };
+        let span = &spans[proved.span..=proved.span];
+        let truth = Equidistant { spans: span, offset: radius, closed: false, doubt: proved.bound };
+        let mut foot = Foot { span: 0, t: proved.from };
+        let error = truth.error(&piece, SAMPLES_OF_BOUNDED, &mut foot);
+        // The feet are f64s, and so are the control points that the piece was rounded to.
+        let reach = piece[0].abs().max_element() + radius;
+        if error > 1e-14 * reach {
+            quotients.push(proved.bound / error);
+        }
+    }
+    quotients.sort_by(f64::total_cmp);
+    let bounds = pieces.iter().map(|piece| piece.bound);
+    Bounds {
+        largest: bounds.clone().filter(|bound| bound.is_finite()).fold(0.0, f64::max),
+        least: quotients.first().copied().unwrap_or(f64::NAN),
+        median: quotients.get(quotients.len() / 2).copied().unwrap_or(f64::NAN),
+        unproved: bounds.filter(|bound| !bound.is_finite()).count(),
+    }
+}
+
 /// Prints a row for each curve, radius and tolerance; `largest` leaves out longer curves.
 pub fn table(largest: usize) {
     println!("pieces per type point (largest true error in tolerances)");
-    println!("| curve, r, tolerance | g41 offset | kurbo | g41 without loops |");
-    println!("| --- | --- | --- | --- |");
+    println!(
+        "bound: the largest in tolerances; then bound / true error of a piece, least and median"
+    );
+    println!(
+        "| curve, r, tolerance | g41 offset | kurbo | g41 without loops | bound | least | median |"
+    );
+    println!("| --- | --- | --- | --- | --- | --- | --- |");
     for make in [wave, spiral] {
         for n in [100, 1_000, 10_000, 100_000].into_iter().filter(|n| *n <= largest) {
             let sample = make(n);
@@ -120,9 +166,10 @@ fn row(sample: &Sample, loops: bool, radius: f64, tolerance: f64) {
     let ours = judge(&raw, &spans, sample, radius, held);
     let theirs = judge_kurbo(&spline, &spans, radius, tolerance, held);
     let avoided = judge(&sample.avoided(radius, tolerance), &spans, sample, radius, held);
+    let proved = bounds(&spline, &spans, radius, held);
     let more = ours.pieces > theirs.pieces && theirs.error <= held && !loops;
     println!(
-        "| {} {}, {radius}, {tolerance:e}{} | {}{} | {} | {} |",
+        "| {} {}, {radius}, {tolerance:e}{} | {}{} | {} | {} | {:.3}{} | {:.3} | {:.3} |",
         sample.name,
         sample.count,
         if held > tolerance { format!(" (held {held:.1e})") } else { String::new() },
@@ -130,5 +177,9 @@ fn row(sample: &Sample, loops: bool, radius: f64, tolerance: f64) {
         if more { " more" } else { "" },
         cell(theirs),
         cell(avoided),
+        proved.largest / held,
+        if proved.unproved > 0 { format!(", {} unproved", proved.unproved) } else { String::new() },
+        proved.least,
+        proved.median,
     );
 }
