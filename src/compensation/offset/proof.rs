@@ -200,7 +200,8 @@ impl<'a> Comparison<'a> {
         let (mut before, mut bound) = (0.0, 0.0_f64);
         for k in 1..=parts {
             let [from, to] = [k - 1, k].map(|k| f64::from(k) / f64::from(parts));
-            let next = if k == parts { 1.0 } else { self.foot(to).clamp(before, 1.0) };
+            // Not `clamp`: what it says of wrong bounds brings all printing of numbers into the wasm.
+            let next = if k == parts { 1.0 } else { self.foot(to).max(before).min(1.0) };
             let (curve, piece) = (self.curve.part(before, next), self.piece.part(from, to));
             let speed = self.speed.part(before, next);
             let part = Comparison::new(&curve, &speed, &piece, self.offset);
