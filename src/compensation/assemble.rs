@@ -9,7 +9,8 @@ use super::report;
 use super::run::{Run, with_start};
 use super::transition::{Solution, Terminal, polyline};
 use super::type_points::as_moves;
-use super::{Options, SplineMethod};
+use super::whole::Trace;
+use super::{CornerStyle, Options, SplineMethod};
 use crate::contour::{
     Attributes, Contour, Lead, MoveCurve, Role, Tool, ToolPath, Transition, TransitionKind,
 };
@@ -20,12 +21,32 @@ use crate::geometry::{Curve, Decimal};
 ///
 /// The path of lines and arcs is exact, that of splines within `options.tolerance`, or within 1e-11
 /// of its largest coordinate where that is more. It is what a
-/// control without a look-ahead beyond the corner would cut: gouges of one segment or one corner
-/// are reported in [`ToolPath::gouges`] and as diagnostics with segment, point and depth; gouges
-/// between distant segments are not looked for. A contour that is closed, and has no lead-in or
+/// control without a look-ahead beyond the corner would cut. Gouges, of one segment, of one corner and
+/// between any two parts of the contour, are reported in [`ToolPath::gouges`] and as diagnostics
+/// with segments, point and depth. A contour that is closed, and has no lead-in or
 /// lead-out, is joined at its start too, and its path ends where it starts.
 #[must_use]
 pub fn compensate(contour: &Contour, tool: Tool, options: &Options) -> ToolPath {
+    let mut trace = Trace::default();
+    let mut path = compensate_traced(contour, tool, options, &mut trace, 0);
+    trace.report(&mut path, &[(contour, tool)], usable(contour, tool, options));
+    path
+}
+
+/// The tolerance that can be kept, of which offsets may use up all [mm].
+pub(super) fn usable(contour: &Contour, tool: Tool, options: &Options) -> f64 {
+    options.usable_tolerance().max(finest_tolerance(contour, tool))
+}
+
+/// The path along one of several contours, behind `first_move` moves of others; gouges between
+/// distant segments are left to `trace`.
+pub(super) fn compensate_traced(
+    contour: &Contour,
+    tool: Tool,
+    options: &Options,
+    trace: &mut Trace,
+    first_move: usize,
+) -> ToolPath {
     let finest = finest_tolerance(contour, tool);
     // A radius that the coordinates have no digits for moves nothing.
     let tool = if tool.radius() < finest { tool.without_radius() } else { tool };
@@ -50,7 +71,14 @@ pub fn compensate(contour: &Contour, tool: Tool, options: &Options) -> ToolPath 
         lead_in: leads[0].map(|lead| (lead, lead_in(lead.point, first, tool, options))),
         lead_out: leads[1].map(|lead| (lead, lead_out(last, lead.point, tool, options))),
     };
-    assembly.build()
+    let spans = contour.segments().iter().map(|segment| match &segment.curve {
+        Curve::Line(_) | Curve::Arc(_) => 1,
+        Curve::Spline(spline) => spline.pieces().len(),
+    });
+    trace.begin(spans.sum(), first_move);
+    let path = assembly.build(trace);
+    trace.end(closed);
+    path
 }
 
 /// The finest tolerance that the digits of the coordinates can keep [mm]: 1e-11 of the largest
@@ -79,7 +107,7 @@ struct Assembly<'a> {
 }
 
 impl Assembly<'_> {
-    fn build(&self) -> ToolPath {
+    fn build(&self, trace: &mut Trace) -> ToolPath {
         let mut builder = PathBuilder::default();
         // At most three moves are inserted at a corner.
         let count = self.runs.iter().map(|run| run.pieces.len() + 3).sum();
@@ -88,13 +116,13 @@ impl Assembly<'_> {
         for (i, run) in self.runs.iter().enumerate() {
             if i > 0 {
                 self.add_events(&mut builder, i);
-                self.add_corner(&mut builder, &self.corners[i - 1], [i - 1, i]);
+                self.add_corner(&mut builder, &self.corners[i - 1], [i - 1, i], trace);
             }
-            self.add_run(&mut builder, i, run);
+            self.add_run(&mut builder, i, run, trace);
         }
         self.add_events(&mut builder, self.runs.len());
         if let Some(closing) = self.closing {
-            self.add_corner(&mut builder, closing, [self.runs.len() - 1, 0]);
+            self.add_corner(&mut builder, closing, [self.runs.len() - 1, 0], trace);
         }
         self.add_lead_out(&mut builder);
         builder.path
@@ -195,7 +223,13 @@ impl Assembly<'_> {
     }
 
     /// The transition between two runs, and what is to be said about it.
-    fn add_corner(&self, builder: &mut PathBuilder, solved: &Solved, [i, j]: [usize; 2]) {
+    fn add_corner(
+        &self,
+        builder: &mut PathBuilder,
+        solved: &Solved,
+        [i, j]: [usize; 2],
+        trace: &mut Trace,
+    ) {
         let Solved::Transition { kind, angle, solution, missed } = solved else { return };
         let (incoming, outgoing) = (&self.runs[i], &self.runs[j]);
         let attributes = between(self.attributes(i), self.attributes(j));
@@ -228,6 +262,16 @@ impl Assembly<'_> {
             origin: attributes.origin,
         });
         builder.moves(&solution.inserted, Role::Transition, &attributes);
+        let moves_end = builder.path.moves.len();
+        if *kind == TransitionKind::Shortened {
+            trace.inside_corner(moves_end);
+        } else {
+            let sign = self.tool.side().sign();
+            let directions = [corner, incoming.tangents[1], outgoing.tangents[0]];
+            let tame =
+                *kind == TransitionKind::Elongated || self.options.corner == CornerStyle::Arc;
+            trace.corner(directions, sign, &solution.inserted, moves_end, tame);
+        }
     }
 
     /// The moves beside a corner whose offsets do not meet: the nearest piece of each.
@@ -275,12 +319,12 @@ impl Assembly<'_> {
     }
 
     /// The moves of run `i`, and what is to be said about them.
-    fn add_run(&self, builder: &mut PathBuilder, i: usize, run: &Run) {
+    fn add_run(&self, builder: &mut PathBuilder, i: usize, run: &Run, trace: &mut Trace) {
         let tolerance = self.options.usable_tolerance();
         let attributes = self.attributes(i);
         let [start, end] = self.terminals(i);
         if run.polygon.is_some() {
-            self.add_type_points(builder, run, [start, end]);
+            self.add_type_points(builder, i, [start, end], trace);
             return;
         }
         let whole = run.is_whole(start, end);
@@ -316,10 +360,32 @@ impl Assembly<'_> {
         {
             first.curve = with_start(&first.curve, point);
         }
+        // Where a gap to the move before was bridged there is one move more.
+        let first = builder.path.moves.len().saturating_sub(moves.len());
+        // Cut back at its ends, a run has fewer moves than pieces.
+        let skipped = match start {
+            Terminal::At(place) => place.piece,
+            Terminal::Whole | Terminal::To(_) | Terminal::Moved(_) => 0,
+        };
+        let moves_of = |span: usize| match run.spans.get(span) {
+            Some(end) => {
+                let to = (end.pieces as usize).saturating_sub(skipped).min(moves.len());
+                (to, end.fits && !backwards)
+            }
+            None => (moves.len(), run.bends(self.tool.offset()).is_empty() && !backwards),
+        };
+        trace.segment(number(i), run.segment, moves, first, &moves_of);
     }
 
     /// The spline through moved type points, and how far it is off.
-    fn add_type_points(&self, builder: &mut PathBuilder, run: &Run, terminals: [Terminal; 2]) {
+    fn add_type_points(
+        &self,
+        builder: &mut PathBuilder,
+        i: usize,
+        terminals: [Terminal; 2],
+        trace: &mut Trace,
+    ) {
+        let run = &self.runs[i];
         let Some(polygon) = &run.polygon else { return };
         let attributes = &run.segment.attributes;
         let origin = attributes.origin;
@@ -373,5 +439,13 @@ impl Assembly<'_> {
             .with_origin(origin),
         );
         builder.moves(&moves, Role::Segment, attributes);
+        let first = builder.path.moves.len() - moves.len().min(builder.path.moves.len());
+        let fits = run.bends(self.tool.offset()).is_empty();
+        trace.segment(number(i), run.segment, &moves, first, &|span| (span + 1, fits));
     }
+}
+
+/// The index of a segment, of which memory ends long before its range does.
+fn number(index: usize) -> u32 {
+    u32::try_from(index).unwrap_or(u32::MAX)
 }

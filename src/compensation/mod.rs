@@ -21,6 +21,7 @@ mod report;
 mod run;
 mod transition;
 mod type_points;
+mod whole;
 
 pub use assemble::compensate;
 pub use avoid::{avoid, avoid_all};

@@ -1,7 +1,8 @@
 //! What becomes of gouges: reported, avoided, or reason to make no path at all.
 
-use super::assemble::compensate;
-use super::avoid::avoid;
+use super::assemble::{compensate_traced, usable};
+use super::avoid::avoid_all;
+use super::whole::Trace;
 use super::{GougePolicy, Options};
 use crate::contour::{Contour, Tool, ToolPath};
 use crate::diagnostic::Diagnostic;
@@ -12,13 +13,21 @@ use crate::diagnostic::Diagnostic;
 /// stay.
 #[must_use]
 pub fn compensate_all(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath {
-    let make: fn(&Contour, Tool, &Options) -> ToolPath = match options.gouge {
-        GougePolicy::Report | GougePolicy::Stop => compensate,
-        GougePolicy::Avoid => avoid,
-    };
+    if options.gouge == GougePolicy::Avoid {
+        return avoid_all(jobs, options);
+    }
     let mut path = ToolPath::default();
-    for (contour, tool) in jobs {
-        path.append(make(contour, *tool, options));
+    // Contours that follow each other with the same tool are walls to each other.
+    for group in jobs.chunk_by(|a, b| a.1.radius() == b.1.radius()) {
+        let mut part = ToolPath::default();
+        let (mut trace, mut tolerance) = (Trace::default(), 0.0_f64);
+        for &(contour, tool) in group {
+            let first_move = part.moves.len();
+            part.append(compensate_traced(contour, tool, options, &mut trace, first_move));
+            tolerance = tolerance.max(usable(contour, tool, options));
+        }
+        trace.report(&mut part, group, tolerance);
+        path.append(part);
     }
     if options.gouge == GougePolicy::Stop {
         refuse_gouges(&mut path);

@@ -136,6 +136,25 @@ pub(super) fn backwards(
     gouge(path, "segment-vanishes", message, hint, at, depth, GougeKind::Bottleneck, &origins);
 }
 
+/// Reports a place where the path comes too near to another part of the contour: the origin of the
+/// move, and that of the segment that is cut.
+pub(super) fn too_near(
+    path: &mut ToolPath,
+    kind: GougeKind,
+    at: DVec2,
+    depth: f64,
+    [mover, into]: [Origin; 2],
+) {
+    let message = format!(
+        "the tool does not fit between two parts of the contour; the path cuts {} mm too deep",
+        Decimal::of(depth)
+    );
+    let hint = "use a smaller tool, or let gouges be avoided".into();
+    let both = [into, mover];
+    let segments = if mover == into { &both[..1] } else { &both[..] };
+    gouge(path, "bottleneck-gouge", message, hint, at, depth, kind, segments);
+}
+
 /// How much nearer than r the moves come to the segments, and the point of the contour there.
 fn depth_of(moves: &[MoveCurve], segments: &[&Segment], tool: Tool, place: DVec2) -> (f64, DVec2) {
     let mut deepest = (0.0, place);

@@ -30,3 +30,4 @@ mod table;
 mod true_errors;
 mod type_points;
 mod verdict;
+mod whole_contour;

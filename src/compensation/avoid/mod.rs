@@ -16,10 +16,10 @@ mod cuts;
 mod dead_ends;
 mod fences;
 mod index;
-mod octants;
+pub(super) mod octants;
 mod sieve;
 mod stitch;
-mod tree;
+pub(super) mod tree;
 mod uncut;
 mod units;
 

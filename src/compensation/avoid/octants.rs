@@ -5,7 +5,7 @@
 
 use glam::{DVec2, dvec2};
 
-use crate::geometry::{Bounds, Cubic};
+use crate::geometry::{Arc, Bounds, Cubic, perp};
 
 /// A set of directions: bit `k` stands for the eighth from `45° k` to below `45° (k + 1)`, so that
 /// opposite directions are four bits apart.
@@ -33,7 +33,7 @@ impl Octants {
     pub(super) const ALL: Self = Self(0xff);
 
     /// The eighth that a vector points into; none for a zero vector.
-    pub(super) fn of(v: DVec2) -> Self {
+    pub(in crate::compensation) fn of(v: DVec2) -> Self {
         let (x, y) = (v.x, v.y);
         if x == 0.0 && y == 0.0 {
             return Self(0);
@@ -51,9 +51,16 @@ impl Octants {
     }
 
     /// The directions of a cubic and some between them.
-    pub(super) fn of_cubic(cubic: &Cubic) -> Self {
+    pub(in crate::compensation) fn of_cubic(cubic: &Cubic) -> Self {
         let [p0, p1, p2, p3] = cubic.points;
         Self::of(p1 - p0).union(Self::of(p2 - p1)).union(Self::of(p3 - p2))
+    }
+
+    /// The directions on the way round an outside corner, for a tool whose σ is `sign`.
+    pub(in crate::compensation) fn of_turn(incoming: DVec2, outgoing: DVec2, sign: f64) -> Self {
+        // Half way round, on the outside even where the tangents are opposite.
+        let half_way = (perp(outgoing) - perp(incoming)) * sign;
+        Self::of(incoming).union(Self::of(half_way)).union(Self::of(outgoing))
     }
 
     pub(super) fn union(self, other: Self) -> Self {
@@ -62,7 +69,7 @@ impl Octants {
 
     /// Whether all of them fit into half a circle: a curve that heads nowhere else never turns
     /// back.
-    pub(super) fn is_narrow(self) -> bool {
+    pub(in crate::compensation) fn is_narrow(self) -> bool {
         let wide = u32::from(self.0) * 0x0101;
         // Four eighths in a row free, somewhere round the circle.
         let free = !wide & 0xffff;
@@ -88,6 +95,19 @@ impl Octants {
         }
         bounds
     }
+}
+
+/// Where an arc heads: the tangents at its ends and, as it turns evenly, at every eighth of a turn
+/// between them.
+pub(in crate::compensation) fn octants_of_arc(arc: &Arc) -> Octants {
+    let steps = (arc.sweep().abs() / std::f64::consts::FRAC_PI_4).ceil().max(1.0);
+    let mut octants = Octants::of(arc.tangent(0.0));
+    let mut k = 1.0;
+    while k <= steps {
+        octants = octants.union(Octants::of(arc.tangent(k / steps)));
+        k += 1.0;
+    }
+    octants
 }
 
 #[cfg(test)]

@@ -25,18 +25,18 @@ const FAN: usize = 4;
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(in crate::compensation) struct Node {
     /// Box around its part of the contour.
-    pub(super) contour: Bounds,
+    pub(in crate::compensation) contour: Bounds,
     /// Box around its part of the raw path.
-    pub(super) path: Bounds,
+    pub(in crate::compensation) path: Bounds,
     /// Where the contour heads.
-    pub(super) octants: Octants,
+    pub(in crate::compensation) octants: Octants,
     /// Whether it is one stretch without a break, an inside corner or a bend tighter than the tool.
-    pub(super) fits: bool,
+    pub(in crate::compensation) fits: bool,
 }
 
 impl Node {
     /// What stands between two stretches.
-    pub(super) const BREAK: Self =
+    pub(in crate::compensation) const BREAK: Self =
         Self { contour: Bounds::EMPTY, path: Bounds::EMPTY, octants: Octants::ALL, fits: false };
 
     fn union(&self, other: &Self) -> Self {
@@ -48,6 +48,11 @@ impl Node {
         }
     }
 
+    /// Length of the diagonal of the box around its part of the contour [mm].
+    pub(in crate::compensation) fn contour_size(&self) -> f64 {
+        self.contour.size().length()
+    }
+
     /// Whether its path is surely clear of its own stretch of the contour.
     fn is_tame(&self) -> bool {
         self.fits && self.octants.is_narrow()
@@ -56,22 +61,22 @@ impl Node {
 
 /// The units of one contour: a stretch of the list of all.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Range {
-    pub(super) from: usize,
-    pub(super) to: usize,
-    pub(super) closed: bool,
+pub(in crate::compensation) struct Range {
+    pub(in crate::compensation) from: usize,
+    pub(in crate::compensation) to: usize,
+    pub(in crate::compensation) closed: bool,
 }
 
 /// The tree.
 #[derive(Debug)]
-pub(super) struct OrderTree {
+pub(in crate::compensation) struct OrderTree {
     /// The units, then groups of four of them, and so on to the root.
     levels: Vec<Vec<Node>>,
 }
 
 /// What came out about the units.
 #[derive(Debug)]
-pub(super) struct Marks {
+pub(in crate::compensation) struct Marks {
     /// For each level, for each node: what is known of all units below.
     levels: Vec<Vec<u8>>,
 }
@@ -84,7 +89,7 @@ const WALL: u8 = 2;
 const GOUGED: u8 = 4;
 
 impl Marks {
-    pub(super) fn is_suspect(&self, unit: usize) -> bool {
+    pub(in crate::compensation) fn is_suspect(&self, unit: usize) -> bool {
         self.levels[0][unit] & SUSPECT != 0
     }
 
@@ -122,15 +127,15 @@ impl Marks {
 
 /// How near path and contour may come.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Limits {
+pub(in crate::compensation) struct Limits {
     /// From this distance on there is nothing to look at [mm].
-    pub(super) reach: f64,
+    pub(in crate::compensation) reach: f64,
     /// Nearer than this is too near [mm].
-    pub(super) least: f64,
+    pub(in crate::compensation) least: f64,
 }
 
 impl OrderTree {
-    pub(super) fn new(units: Vec<Node>) -> Self {
+    pub(in crate::compensation) fn new(units: Vec<Node>) -> Self {
         let mut levels = vec![units];
         while let Some(below) = levels.last()
             && below.len() > 1
@@ -141,12 +146,12 @@ impl OrderTree {
         Self { levels }
     }
 
-    pub(super) fn unit(&self, unit: usize) -> &Node {
+    pub(in crate::compensation) fn unit(&self, unit: usize) -> &Node {
         &self.levels[0][unit]
     }
 
     /// Finds which paths may be too near to which parts of the contour: both are marked.
-    pub(super) fn marks(&self, ranges: &[Range], limits: Limits) -> Marks {
+    pub(in crate::compensation) fn marks(&self, ranges: &[Range], limits: Limits) -> Marks {
         let marks =
             Marks { levels: self.levels.iter().map(|level| vec![0; level.len()]).collect() };
         let mut join = Join { tree: self, ranges, limits, marks };
@@ -163,6 +168,38 @@ impl OrderTree {
         visit: &mut dyn FnMut(usize) -> bool,
     ) -> bool {
         self.near_below(self.levels.len() - 1, 0, point, distance * distance, visit)
+    }
+
+    /// Calls `visit` with every unit whose contour's box is nearer to `bounds` than `distance` [mm].
+    pub(in crate::compensation) fn near_box(
+        &self,
+        bounds: &Bounds,
+        distance: f64,
+        visit: &mut dyn FnMut(usize),
+    ) {
+        self.near_box_below(self.levels.len() - 1, 0, bounds, distance * distance, visit);
+    }
+
+    fn near_box_below(
+        &self,
+        level: usize,
+        index: usize,
+        bounds: &Bounds,
+        squared: f64,
+        visit: &mut dyn FnMut(usize),
+    ) {
+        let around = &self.levels[level][index].contour;
+        let gap = (around.min - bounds.max).max(bounds.min - around.max).max(DVec2::ZERO);
+        if gap.length_squared() >= squared {
+            return;
+        }
+        if level == 0 {
+            return visit(index);
+        }
+        let end = self.levels[level - 1].len().min(FAN * (index + 1));
+        for child in FAN * index..end {
+            self.near_box_below(level - 1, child, bounds, squared, visit);
+        }
     }
 
     fn near_below(
@@ -186,7 +223,12 @@ impl OrderTree {
     }
 
     /// The stretch of units around one that is tame all in all, at most `most` to each side.
-    pub(super) fn tame_around(&self, unit: usize, range: Range, most: usize) -> [usize; 2] {
+    pub(in crate::compensation) fn tame_around(
+        &self,
+        unit: usize,
+        range: Range,
+        most: usize,
+    ) -> [usize; 2] {
         let units = &self.levels[0];
         let mut all = units[unit];
         let (mut from, mut to) = (unit, unit + 1);

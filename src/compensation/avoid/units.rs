@@ -6,7 +6,7 @@
 
 use glam::DVec2;
 
-use super::octants::Octants;
+use super::octants::{Octants, octants_of_arc};
 use super::tree::{Node, Range};
 use crate::compensation::corner::classify;
 use crate::compensation::offset::{ArcOffset, offset_arc, offset_line, offset_span};
@@ -359,12 +359,8 @@ impl Maker<'_> {
         let path = self.pieces(arc.as_slice());
         let index = index(self.work.corners.len());
         self.work.corners.push(OutsideCorner { corner, kind, angle });
-        // Half way round, on the outside even where the tangents are opposite.
         let sign = tool.side().sign();
-        let half_way = (perp(corner.outgoing) - perp(corner.incoming)) * sign;
-        let octants = Octants::of(corner.incoming)
-            .union(Octants::of(half_way))
-            .union(Octants::of(corner.outgoing));
+        let octants = Octants::of_turn(corner.incoming, corner.outgoing, sign);
         let contour = Bounds::of([corner.point]);
         let node = Node { contour, path, octants, fits: true };
         self.add(Unit { kind: Kind::Corner(index), ..unit }, node);
@@ -415,17 +411,4 @@ fn corner_to(incoming: &Segment, to: DVec2) -> Option<Corner> {
         incoming_curvature: incoming.curve.curvature(1.0),
         outgoing_curvature: 0.0,
     })
-}
-
-/// Where an arc heads: the tangents at its ends and, as it turns evenly, at every eighth of a turn
-/// between them.
-fn octants_of_arc(arc: &Arc) -> Octants {
-    let steps = (arc.sweep().abs() / std::f64::consts::FRAC_PI_4).ceil().max(1.0);
-    let mut octants = Octants::of(arc.tangent(0.0));
-    let mut k = 1.0;
-    while k <= steps {
-        octants = octants.union(Octants::of(arc.tangent(k / steps)));
-        k += 1.0;
-    }
-    octants
 }
