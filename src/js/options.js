@@ -36,17 +36,25 @@ const here = () => "options";
 const defaultTolerance = 0.001;
 
 /**
- * Finest tolerance [mm]: a nanometre, below which any work takes long and nothing is gained.
+ * Finest tolerance of polylines, of programs and of the judge [mm]: a nanometre, below which any
+ * work takes long and nothing is gained.
  */
 const finestTolerance = 1e-6;
 
 /**
+ * Finest tolerance of paths [mm]; the core's. What the digits of the coordinates cannot keep is less
+ * exact all the same.
+ */
+const finestPath = 1e-9;
+
+/**
  * @param {unknown} value
  * @param {Where} where
+ * @param {number} [finest]
  */
-function toleranceAt(value, where) {
+function toleranceAt(value, where, finest = finestTolerance) {
   const number = finite(value, where);
-  return number >= finestTolerance ? number : bad(where, "be at least 1e-6 mm");
+  return number >= finest ? number : bad(where, `be at least ${finest} mm`);
 }
 
 /**
@@ -139,7 +147,7 @@ function settings(options) {
   profile(options);
   const gouge = optional(options.gouge, (value) => oneOf(value, gouges, at("gouge")));
   return /** @type {const} */ ([
-    optional(options.tolerance, toleranceAt, at("tolerance")),
+    optional(options.tolerance, toleranceAt, at("tolerance"), finestPath),
     optional(options.spline, (value) => oneOf(value, splines, at("spline"))),
     optional(options.corner, (value) => oneOf(value, corners, at("corner"))),
     optional(options.lead, (value) => oneOf(value, leads, at("lead"), laterLeads)),

@@ -1,7 +1,8 @@
 /// <reference lib="esnext.disposable" />
 
 // The public face of the package. Lengths are in mm, angles in rad and counter-clockwise positive,
-// feeds in mm/min. Coordinates are those of the program, with y up. Tolerances are at least 1e-6 mm.
+// feeds in mm/min. Coordinates are those of the program, with y up. Tolerances are at least 1e-6 mm,
+// those of paths (`compensate`, `LiveContour`) at least 1e-9 mm.
 
 // --- Loading -----------------------------------------------------------------------------------
 
@@ -273,7 +274,10 @@ export class Program {
 export interface CompensationOptions {
   /** A named set of the options below; one that is given explicitly wins. Default `"g41"`. */
   profile?: Profile;
-  /** How far the path may be from the true equidistant [mm]. Default 0.001. */
+  /**
+   * How far the path may be from the true equidistant [mm]. Default 0.001. It is at least 1e-11 of the
+   * largest coordinate, whose digits keep no more.
+   */
   tolerance?: number;
   /**
    * How splines are compensated: `"exact"` is the equidistant curve within the tolerance,

@@ -109,7 +109,7 @@ test("options for contours", () => {
     [{ ...left, radius: 2e9 }, "options.radius"],
     [{ ...left, tolerance: 0 }, "options.tolerance"],
     [{ ...left, tolerance: -1 }, "options.tolerance"],
-    [{ ...left, tolerance: 1e-7 }, "options.tolerance"],
+    [{ ...left, tolerance: 9e-10 }, "options.tolerance"],
     [{ ...left, tolerance: Number.POSITIVE_INFINITY }, "options.tolerance"],
     [{ ...left, spline: "fast" }, "options.spline"],
     [{ ...left, corner: "round" }, "options.corner"],
@@ -161,6 +161,7 @@ test("options and path of the judge", () => {
     [part, null, "options"],
     [part, { radius: "3" }, "options.radius"],
     [part, { radius: 3, tolerance: 0 }, "options.tolerance"],
+    [part, { radius: 3, tolerance: 9e-7 }, "options.tolerance"],
     [part, { radius: 3, side: "left" }, "options.side"],
     [part, { radius: 3, tools: {} }, "options.tools"],
     [
@@ -205,6 +206,7 @@ test("arguments of methods", () => {
   throwsCode(() => path.polyline(0), "bad-argument", "tolerance");
   throwsCode(() => path.polylines("fine"), "bad-argument", "tolerance");
   throwsCode(() => flatten(part, Number.NaN), "bad-argument", "tolerance");
+  throwsCode(() => flatten(part, 9e-7), "bad-argument", "tolerance");
   throwsCode(() => parseProgram(program).polylines(-1), "bad-argument", "tolerance");
   throwsCode(() => path.gcode({ tolerance: 0 }), "bad-argument", "options.tolerance");
   throwsCode(() => path.gcode({ feed: -5 }), "bad-argument", "options.feed");

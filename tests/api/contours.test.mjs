@@ -257,3 +257,47 @@ test("the same calls draw on a Path2D", () => {
   assert.deepEqual(calls[2], ["arc", 10, 10, 7, -Math.PI / 2, 0, false]);
   assert.ok(calls.some(([name]) => name === "bezierCurveTo"));
 });
+
+test("a tolerance of a millionth of a micrometre is kept", () => {
+  const circle = (count) =>
+    Array.from({ length: count }, (_, i) => {
+      const angle = (2 * Math.PI * (i + 1)) / count;
+      return [40 * Math.cos(angle), 40 * Math.sin(angle)];
+    });
+  const ring = {
+    start: [40, 0],
+    segments: [{ kind: "spline", points: circle(24) }],
+    closed: true,
+  };
+  const on = compensate(ring, { side: "left", radius: 0 }).moves;
+  const path = compensate(ring, { side: "right", radius: 5, tolerance: 1e-9 });
+  assert.ok(path.moves.length > 24, "more pieces than spans");
+  // Each piece of the path begins on a normal of the spline, at the radius from it.
+  const point = ({ from, to, control1, control2 }, t) =>
+    [0, 1].map(
+      (k) =>
+        (1 - t) ** 3 * from[k] +
+        3 * (1 - t) ** 2 * t * control1[k] +
+        3 * (1 - t) * t * t * control2[k] +
+        t ** 3 * to[k],
+    );
+  const nearest = (p, piece) => {
+    let [low, high] = [0, 1];
+    const away = (t) => distance(point(piece, t), p);
+    for (let k = 0; k < 90; k++) {
+      const [a, b] = [low + (high - low) / 3, high - (high - low) / 3];
+      if (away(a) < away(b)) {
+        high = b;
+      } else {
+        low = a;
+      }
+    }
+    return away((low + high) / 2);
+  };
+  for (const move of path.moves) {
+    for (const t of [0, 0.25, 0.5, 0.75]) {
+      const least = Math.min(...on.map((piece) => nearest(point(move, t), piece)));
+      assert.ok(Math.abs(least - 5) <= 1.01e-9, `${least - 5} mm off`);
+    }
+  }
+});
