@@ -7,6 +7,7 @@ pub mod curves;
 mod double;
 #[path = "../../../tests/common/equidistant.rs"]
 mod equidistant;
+pub mod outlines;
 pub mod race;
 pub mod truth;
 #[path = "../../../tests/common/curves.rs"]
