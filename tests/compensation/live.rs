@@ -10,6 +10,8 @@ use g41::contour::{
 };
 use g41::diagnostic::Origin;
 use glam::{DVec2, dvec2};
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use crate::common::p;
 use crate::common::random::Random;

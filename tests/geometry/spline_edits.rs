@@ -4,8 +4,12 @@ use std::f64::consts::TAU;
 
 use g41::geometry::{CurveError, EndCondition, Least, Parameter, Spline, SplineEdit, SplineEnds};
 use glam::{DVec2, dvec2};
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use crate::common::random::Random;
+
+const STEPS: usize = if cfg!(target_arch = "wasm32") { 300 } else { 2000 };
 
 /// Nothing is too small to be told.
 const LEAST: Least = Least { beside: 1.0, by: 0.0 };
@@ -50,7 +54,7 @@ fn thousands_of_edits_leave_the_spline_through_its_points() {
                 let points = ring(count, &mut random);
                 let spline = Spline::through(points, ends, parameter).expect("it is a spline");
                 let mut edit = SplineEdit::new(&spline);
-                for step in 0..2000 {
+                for step in 0..STEPS {
                     let last = edit.spans();
                     let index = random.index(last - 1) + 1;
                     let by = dvec2(random.within(-0.4, 0.4), random.within(-0.4, 0.4));

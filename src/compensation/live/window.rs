@@ -159,14 +159,17 @@ impl Local {
         let end = if to < self.blocks.len() { path.start(to) } else { path.points().len() / 2 };
         let high = starts.partition_point(|&start| start < place(end));
         let vertex = |i: usize| DVec2::new(path.points()[2 * i], path.points()[2 * i + 1]);
-        let mut fresh = Vec::new();
+        let after = starts.split_off(high);
+        starts.truncate(low);
         for block in from..to {
             let at = path.start(block);
             if at == 0 || vertex(at - 1).distance(vertex(at)) > GAP {
-                fresh.push(place(at));
+                starts.push(place(at));
             }
-            fresh.extend(self.blocks[block].breaks.iter().map(|&k| place(at) + k));
+            for &k in &self.blocks[block].breaks {
+                starts.push(place(at) + k);
+            }
         }
-        starts.splice(low..high, fresh);
+        starts.extend_from_slice(&after);
     }
 }
