@@ -6,6 +6,7 @@
 
 mod arc;
 mod arc_fit;
+mod arc_proof;
 mod bernstein;
 mod bounds;
 mod cubic;
