@@ -295,11 +295,13 @@ export interface CompensationOptions {
    * What becomes of places where the tool does not fit. Default `"report"`.
    *
    * - `"report"`: the path is as a control without a look-ahead would cut it, and `gouges` tells
-   *   where it cuts too deep
+   *   where it cuts too deep, looked at the whole contour; contours given together, with the same
+   *   radius, are one part
    * - `"avoid"`: the path leaves out what would gouge, looked at the whole contour: its distance
    *   from every point of it is at least the radius − `tolerance`, leads apart; `uncut` tells what it
-   *   does not reach. It may fall into several pieces. Splines are offset exactly, whatever `spline`
-   *   says
+   *   does not reach. Contours given together, with the same radius, are one part, as a pocket and
+   *   its islands. The path may fall into several pieces. Splines are offset exactly, whatever
+   *   `spline` says, and an outside corner is gone round by an arc where straight moves have no room
    * - `"stop"`: as `"report"`, but a path that gouges is empty
    */
   gouge?: "report" | "avoid" | "stop";

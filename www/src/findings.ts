@@ -2,8 +2,8 @@
 
 import type { Diagnostic, Gouge, Origin, Uncut } from "g41";
 import { format } from "./expression";
-import { along, direction, distance, type Point } from "./geometry";
-import { contourAt, type Result, radiusOn } from "./result";
+import { distance, nearestOnLine, type Point } from "./geometry";
+import { contourAt, forRuns, type Result, radiusOn } from "./result";
 
 /** A place in the picture where the tool does not fit. */
 interface Place {
@@ -137,20 +137,25 @@ function linesOf(origins: readonly Origin[]): number[] {
   return [...new Set(lines)].sort((a, b) => a - b);
 }
 
-/** The vertex of the path at which the tool stands nearest to a distance from a point. */
+/** Where on the path the tool stands when it is at a distance from a point, as near as it comes. */
 function deepest({ path }: Result, at: Point, away: number): Point {
   let best: Point = at;
   let least = Number.POSITIVE_INFINITY;
-  for (let i = 0; i + 1 < path.points.length; i += 2) {
-    const p: Point = [path.points[i] as number, path.points[i + 1] as number];
-    const off = Math.abs(distance(p, at) - away);
-    if (off < least) {
-      least = off;
-      best = p;
+  forRuns(path, (_, first, last) => {
+    for (let i = first; i < last; i += 1) {
+      const { point } = nearestOnLine(at, vertex(path, i), vertex(path, i + 1));
+      const off = Math.abs(distance(point, at) - away);
+      if (off < least) {
+        least = off;
+        best = point;
+      }
     }
-  }
-  // Vertices are too far apart to be quite at that distance.
-  return least === Number.POSITIVE_INFINITY ? at : along(at, direction(at, best), away);
+  });
+  return best;
+}
+
+function vertex({ points }: Result["path"], i: number): Point {
+  return [points[2 * i] as number, points[2 * i + 1] as number];
 }
 
 /** The centroid of an outline, or its first vertex where it has no area. */
