@@ -117,6 +117,9 @@ async function measure([n, gouge, radius]) {
       while (performance.now() < rest);
       idle.push(performance.now() - to);
     }
+    // Each point is dragged on the curve as it was.
+    live.movePoint(0, index, x, y);
+    live.update();
   }
   const at = (list, part) =>
     list.sort((a, b) => a - b)[Math.min(list.length - 1, Math.floor(part * list.length))];
