@@ -170,3 +170,20 @@ fn an_inside_corner_without_an_intersection_is_not_travelled_far_for() {
         }
     }
 }
+
+#[test]
+fn a_bend_across_the_seam_of_a_closed_spline_is_told_once() {
+    // An ellipse whose ends have a radius of 10² / 20 = 5 mm; it starts at one of them.
+    let at = |i: i32| {
+        let angle = std::f64::consts::TAU * f64::from(i % 24) / 24.0;
+        p(20.0 * angle.cos(), 10.0 * angle.sin())
+    };
+    for start in [0, 1, 6] {
+        let points: Vec<DVec2> = (1..=24).map(|i| at(i + start)).collect();
+        let sketch = Sketch::closed(at(start), [spline(&points)]);
+        let path = sketch.compensated(Side::Left, 6.0, &Options::default());
+        assert_eq!(path.gouges.len(), 2, "one at either end: {:?}", path.gouges);
+        let [first, second] = [0, 1].map(|k| path.gouges[k].depth);
+        near(first, second, 0.05 * first, "both ends are alike");
+    }
+}

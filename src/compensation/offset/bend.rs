@@ -28,13 +28,24 @@ const SEARCH_STEPS: usize = 12;
 /// Depth and place of the gouge of every bend.
 pub(super) fn bends(spline: &Spline, offset: f64, tight: &[Stretch]) -> Vec<Bend> {
     // Stretches that continue over a type point are one bend.
-    tight
+    let mut found: Vec<Bend> = tight
         .chunk_by(|a, b| {
             (a.span == b.span && a.to == b.from)
                 || (a.span + 1 == b.span && a.to == 1.0 && b.from == 0.0)
         })
         .map(|stretches| bend(spline, offset, stretches))
-        .collect()
+        .collect();
+    // So are those before and behind the seam of a closed spline: the deeper of both places tells.
+    let last = spline.pieces().len() - 1;
+    if let ([first, .., end], true) = (tight, spline.is_periodic() && found.len() > 1)
+        && (first.span, first.from, end.span, end.to) == (0, 0.0, last, 1.0)
+        && let Some(other) = found.pop()
+    {
+        let radius = found[0].radius.min(other.radius);
+        let deeper = if other.depth > found[0].depth { other } else { found[0] };
+        found[0] = Bend { radius, ..deeper };
+    }
+    found
 }
 
 fn bend(spline: &Spline, offset: f64, tight: &[Stretch]) -> Bend {
