@@ -1,0 +1,178 @@
+//! What is reported of a program, and what is not.
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use g41::diagnostic::Origin;
+use g41::program::Interpretation;
+
+use super::sample::{ERROR, INFO, WARNING, contours, found, moves, near, read, read_clean, words};
+
+#[test]
+fn every_fault_is_reported_with_its_line_and_column() {
+    for (text, code, severity, column) in [
+        ("G1 X1 Q5 F1", "word-not-understood", ERROR, Some(7)),
+        ("G1 X1 G6 F1", "word-not-understood", ERROR, Some(7)),
+        ("G1 X1 A90 F1", "word-not-understood", ERROR, Some(7)),
+        ("G1 X1 E F1", "missing-number", ERROR, Some(7)),
+        ("G1 X1 Y1.2.3 F1", "garbled-number", ERROR, Some(7)),
+        ("G1 X1 Y--3 F1", "garbled-number", ERROR, Some(7)),
+        ("G1 X1 Y12345678901 F1", "number-too-large", ERROR, Some(7)),
+        ("G1 X1 12 F1", "number-without-letter", ERROR, Some(7)),
+        ("G1 X1 X2 F1", "repeated-word", ERROR, Some(7)),
+        ("G1 X1 €€ F1", "unexpected-character", ERROR, Some(7)),
+        ("(€) X1 €€ F1", "unexpected-character", ERROR, Some(8)),
+        ("G1 X1 F1 (open", "unclosed-comment", WARNING, Some(10)),
+        ("G1 X1 Y#3 F1", "unsupported-expression", ERROR, Some(8)),
+        ("G1 X1 Y[1+[2]] F1", "unsupported-expression", ERROR, Some(8)),
+        ("#1=5", "unsupported-expression", ERROR, Some(1)),
+        ("O100 sub", "unsupported-flow", ERROR, Some(1)),
+        ("o<name> call", "unsupported-flow", ERROR, Some(1)),
+        ("G0 G1 X1 F1", "conflicting-words", ERROR, Some(4)),
+        ("G18", "not-supported", ERROR, Some(1)),
+        ("G92 X0 Y0", "not-supported", ERROR, Some(1)),
+        ("G28 X0 Y0", "not-supported", ERROR, Some(1)),
+        ("G91 G28 Z0", "not-supported", ERROR, Some(5)),
+        ("G53 G0 Z0", "not-supported", ERROR, Some(1)),
+        ("G16", "not-supported", ERROR, Some(1)),
+        ("G93 G1 X1 F1", "not-supported", ERROR, Some(1)),
+        ("G1 X1 F-5", "bad-feed", ERROR, Some(7)),
+        ("G4", "bad-dwell", ERROR, Some(1)),
+        ("G4 P500", "long-dwell", WARNING, Some(4)),
+        ("G43 H1 Z5 G0", "left-out", WARNING, Some(1)),
+        ("G64 P0.01", "noted", INFO, Some(1)),
+        ("M98 P1000", "not-supported", ERROR, Some(1)),
+        ("T1.5", "word-not-understood", ERROR, Some(1)),
+        ("G41 D1.5", "bad-tool-number", ERROR, Some(5)),
+        ("G41 D0", "no-radius", WARNING, Some(1)),
+        ("G41.1", "missing-diameter", ERROR, Some(1)),
+        ("G2 X5 Y0 I1 R2 F1", "contradictory-words", ERROR, Some(10)),
+        ("G2 X5 Y0 F1", "arc-without-centre", ERROR, None),
+        ("G2 X5 Y0 I1 F1", "radii-disagree", ERROR, None),
+        ("G2 X5 Y0 R1 F1", "radius-too-small", ERROR, None),
+        ("G2 X1 R2 F1", "full-circle-by-radius", ERROR, None),
+        ("/G1 X2 F1", "block-delete", INFO, None),
+        ("X5", "", INFO, None),
+    ] {
+        let read = read(&format!("G0 X1 Y0\n{text}\n"));
+        let expected: &[_] = if code.is_empty() { &[] } else { &[(code, severity, 2, column)] };
+        assert_eq!(found(&read), expected, "{text}: {:?}", read.diagnostics);
+    }
+}
+
+#[test]
+fn axes_without_a_motion_word_do_not_move() {
+    let read = read("X5 Y5\n");
+    assert_eq!(found(&read), [("no-motion-mode", ERROR, 1, Some(1))], "before G00 or G01");
+    assert!(moves(&read).is_empty(), "{read:?}");
+}
+
+#[test]
+fn a_cycle_and_its_further_holes_are_reported() {
+    let read = read("G0 X1 Y1\nG81 X5 Y5 Z-3 R1 F60\nX9\nG80\nG0 X0\n");
+    let lines: Vec<_> = found(&read).iter().map(|f| (f.0, f.2)).collect();
+    assert_eq!(lines, [("not-supported", 2), ("not-supported", 3)], "{:?}", read.diagnostics);
+    assert_eq!(moves(&read).len(), 2, "the cycle makes no move");
+}
+
+#[test]
+fn faults_of_compensation_are_reported() {
+    const START: &str = "G0 X0 Y-9\n";
+    for (text, code, severity, contours_made) in [
+        ("G41 D1\nG2 X9 Y0 R9 F100\nG40 G1 X20", "curved-lead-in", ERROR, 1),
+        ("G41 D1 G5 X5 Y1\nX9 Y0 F100\nG40 G1 X20", "curved-lead-in", ERROR, 1),
+        ("G41 D1 G1 Y0 F100\nX9\nG40 G2 X20 R9", "curved-lead-out", ERROR, 1),
+        ("G41 D1 G1 Y0 F100\nX9\nM30", "compensation-left-on", WARNING, 1),
+        ("G41 D1 G1 Y0 F100\nX9\nG42 X20\nG40 Y9", "side-changed", WARNING, 2),
+        ("G41 D1 G1 Y0 F100\nX9\nG41 D2 X20\nG40 Y9", "radius-changed", WARNING, 2),
+        ("G41 D1 G1 Y0 F100\nX9\nD2 X20\nG40 Y9", "radius-changed", WARNING, 2),
+        ("G41 D1 G1 Y0 F100\nX9\nG40\nG41 X20\nX30\nG40 Y9", "no-lead-out", WARNING, 2),
+        ("G41 D1 G1 Y0 F100\nG40 Y9", "empty-compensation", WARNING, 0),
+        ("G41 D1 G1 Y0 F100\nX9\nX9\nG40 Y9", "zero-length", INFO, 1),
+        ("G41 D1 G1 Y0 F100\nX9\nT2 M6\nX20\nG40 Y9", "changed-while-on", WARNING, 1),
+        ("G41 D1 G1 Y0 F100\nX9\nG55\nX20\nG40 Y9", "changed-while-on", WARNING, 1),
+    ] {
+        let read = read(&format!("{START}{text}\n"));
+        let seen: Vec<_> = found(&read).iter().map(|f| (f.0, f.1)).collect();
+        assert_eq!(seen, [(code, severity)], "{text}: {:?}", read.diagnostics);
+        assert_eq!(contours(&read).len(), contours_made, "{text}");
+    }
+}
+
+#[test]
+fn what_changes_nothing_is_not_reported() {
+    let read = read_clean(
+        "G17 G21 G40 G49 G80 G90 G94 G61\nG0 X0 Y-9\nG41 D1\nG40\nG41 D1 G1 Y0 F100\nX9\nG41 D1\n\
+         G41 X20\nG40 Y-9\nG40\nM5\n",
+    );
+    assert_eq!(contours(&read).len(), 1, "repeating G41 goes on");
+}
+
+#[test]
+fn an_empty_compensation_leaves_its_moves_and_words_in_order() {
+    let read = read("G0 X0 Y-9\nG41 D1 G1 Y0 F100\nM8\nG40 Y9\n");
+    let ends: Vec<_> = moves(&read).iter().map(|m| m.curve.end().y).collect();
+    assert_eq!(ends, [-9.0, 0.0, 9.0], "{read:?}");
+    assert_eq!(words(&read), ["M8"], "{read:?}");
+}
+
+#[test]
+fn nothing_after_the_end_is_read() {
+    for text in ["G0 X1\nM30\nX2\nX3\n", "G0 X1\nM2\n\nG0 X2", "%\nG0 X1\n%\nG0 X2\n"] {
+        let read = read(text);
+        let codes: Vec<_> = found(&read).iter().map(|f| f.0).collect();
+        assert_eq!(codes, ["after-end"], "{text}");
+        assert_eq!(moves(&read).len(), 1, "{text}");
+    }
+}
+
+#[test]
+fn comments_may_stand_before_the_program() {
+    let read = read_clean("(POST X)\n; V2\n%\nO7\nG0 X1\nM30\n%\n");
+    assert_eq!(moves(&read).len(), 1, "{read:?}");
+    assert_eq!(words(&read), ["(POST X)", "; V2", "(O7)", "M30"], "{read:?}");
+}
+
+#[test]
+fn every_fault_of_a_line_has_a_hint() {
+    let read = read("5 $ G7 X1.2.3 Y #1 [2] o1 call X1e99\nX99999999999\nG2 X5 (\n");
+    assert!(read.diagnostics.len() > 8, "{read:?}");
+    for found in &read.diagnostics {
+        assert!(found.hint.is_some(), "{found}");
+    }
+}
+
+#[test]
+fn line_ends_of_every_system_are_read() {
+    for text in
+        ["G0 X1\nX2\nX3", "G0 X1\r\nX2\r\nX3\r\n", "G0 X1\rX2\rX3\r", "\u{feff}G0 X1\nX2\nX3"]
+    {
+        let read = read_clean(text);
+        let lines: Vec<_> = moves(&read).iter().map(|m| m.origin).collect();
+        let line = |line| Origin::Block { line, number: None, column: None };
+        assert_eq!(lines, [line(1), line(2), line(3)], "{text:?}");
+    }
+}
+
+#[test]
+fn spaces_and_small_letters_do_not_matter() {
+    let spread = read_clean("n 10 g 1 x 10 y -2.5 f 600");
+    let dense = read_clean("N10G1X10Y-2.5F600");
+    let moves_of = |read: &Interpretation| {
+        let found = moves(read)[0];
+        (found.curve, found.feed, found.origin)
+    };
+    assert_eq!(moves_of(&spread), moves_of(&dense), "the same move");
+}
+
+#[test]
+fn coordinates_out_of_range_do_not_move() {
+    let read = read("G1 X1 F1\nG20 X999999999\nX1\n");
+    assert_eq!(found(&read), [("out-of-range", ERROR, 2, Some(5))], "1e9 inches");
+    assert!(near(moves(&read)[1].curve.end(), [25.4, 0.0]), "{read:?}");
+}
+
+#[test]
+fn incremental_moves_from_an_unknown_place_are_reported_once() {
+    let read = read("G91 G1 X5 F100\nX5 Y5\n");
+    assert_eq!(found(&read), [("unknown-start", WARNING, 1, Some(8))], "once");
+}

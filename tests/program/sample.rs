@@ -1,0 +1,61 @@
+//! Reading programs, and picking out what they mean.
+
+use g41::contour::Move;
+use g41::diagnostic::{Diagnostic, Origin, Severity};
+use g41::program::{Dialect, Interpretation, Item, Program, ProgrammedContour, interpret};
+use glam::DVec2;
+
+pub(crate) fn read(text: &str) -> Interpretation {
+    interpret(&Program::parse(text, Dialect::Auto))
+}
+
+/// Reads a program in which nothing is to be found fault with.
+pub(crate) fn read_clean(text: &str) -> Interpretation {
+    let read = read(text);
+    assert!(read.diagnostics.is_empty(), "{text}\n{:?}", read.diagnostics);
+    read
+}
+
+pub(crate) fn moves(read: &Interpretation) -> Vec<Move> {
+    let free = |item: &Item| if let Item::Free(found) = item { Some(*found) } else { None };
+    read.items.iter().filter_map(free).collect()
+}
+
+pub(crate) fn contours(read: &Interpretation) -> Vec<&ProgrammedContour> {
+    fn contour(item: &Item) -> Option<&ProgrammedContour> {
+        if let Item::Contour(found) = item { Some(found) } else { None }
+    }
+    read.items.iter().filter_map(contour).collect()
+}
+
+pub(crate) fn words(read: &Interpretation) -> Vec<&str> {
+    fn words(item: &Item) -> Option<&str> {
+        if let Item::Words { words, .. } = item { Some(words) } else { None }
+    }
+    read.items.iter().filter_map(words).collect()
+}
+
+pub(crate) fn only_contour(read: &Interpretation) -> &ProgrammedContour {
+    let contours = contours(read);
+    assert_eq!(contours.len(), 1, "{:?}", read.items);
+    contours[0]
+}
+
+/// Code, severity, line and column of each diagnostic.
+pub(crate) fn found(read: &Interpretation) -> Vec<(&str, Severity, u32, Option<u32>)> {
+    let place = |diagnostic: &Diagnostic| match diagnostic.origin {
+        Some(Origin::Block { line, column, .. }) => (line, column),
+        _ => (0, None),
+    };
+    let entry = |d| (place(d), d);
+    let entries = read.diagnostics.iter().map(entry);
+    entries.map(|((line, column), d)| (d.code, d.severity, line, column)).collect()
+}
+
+pub(crate) fn near(a: DVec2, b: [f64; 2]) -> bool {
+    a.distance(DVec2::from(b)) < 1e-9
+}
+
+pub(crate) const ERROR: Severity = Severity::Error;
+pub(crate) const WARNING: Severity = Severity::Warning;
+pub(crate) const INFO: Severity = Severity::Info;
