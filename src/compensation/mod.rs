@@ -15,6 +15,7 @@ mod live;
 mod meet;
 mod offset;
 mod options;
+mod passes;
 mod path;
 mod policy;
 mod report;

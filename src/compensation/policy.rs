@@ -2,8 +2,9 @@
 
 use super::assemble::{compensate_traced, usable};
 use super::avoid::avoid_all;
+use super::passes::pocket;
 use super::whole::Trace;
-use super::{GougePolicy, Options};
+use super::{GougePolicy, Options, Passes};
 use crate::contour::{Contour, Tool, ToolPath};
 use crate::diagnostic::Diagnostic;
 
@@ -14,7 +15,8 @@ use crate::diagnostic::Diagnostic;
 #[must_use]
 pub fn compensate_all(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath {
     if options.gouge == GougePolicy::Avoid {
-        return avoid_all(jobs, options);
+        let one = options.passes == Passes::One;
+        return if one { avoid_all(jobs, options) } else { pocket(jobs, options) };
     }
     let mut path = ToolPath::default();
     // Contours that follow each other with the same tool are walls to each other.

@@ -183,6 +183,20 @@ pub struct Uncut {
     pub segments: Vec<Origin>,
 }
 
+/// One loop of a path in several passes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct PathLoop {
+    /// Index of its first move.
+    pub first_move: usize,
+    /// Index behind its last move.
+    pub moves_end: usize,
+    /// Which pass it is part of, the one along the contour being 0.
+    pub pass: u32,
+    /// Index of the loop of the pass before that lies round it; none in the first pass, and where
+    /// no single loop does.
+    pub parent: Option<usize>,
+}
+
 /// Words that move nothing, to be passed through in their place.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct AuxiliaryWords {
@@ -210,6 +224,8 @@ pub struct ToolPath {
     pub gouges: Vec<Gouge>,
     /// What the tool cannot reach, where that was looked for.
     pub uncut: Vec<Uncut>,
+    /// Its loops, where several passes were asked for.
+    pub loops: Vec<PathLoop>,
     /// Words to be passed through.
     pub words: Vec<AuxiliaryWords>,
 }
@@ -220,11 +236,18 @@ impl ToolPath {
         for words in &mut other.words {
             words.before += self.moves.len();
         }
+        let loops = self.loops.len();
+        for one in &mut other.loops {
+            one.first_move += self.moves.len();
+            one.moves_end += self.moves.len();
+            one.parent = one.parent.map(|parent| parent + loops);
+        }
         self.moves.append(&mut other.moves);
         self.transitions.append(&mut other.transitions);
         self.diagnostics.append(&mut other.diagnostics);
         self.gouges.append(&mut other.gouges);
         self.uncut.append(&mut other.uncut);
+        self.loops.append(&mut other.loops);
         self.words.append(&mut other.words);
     }
 }

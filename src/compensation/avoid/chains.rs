@@ -20,9 +20,9 @@ pub(super) struct Chain {
 /// Nothing follows.
 const NONE: usize = usize::MAX;
 
-/// The chains of clear `stretches`, ordered by where they begin.
-pub(super) fn chains(work: &Workpiece, stretches: &[Stretch]) -> Vec<Chain> {
-    let (next, has_previous) = links(work, stretches);
+/// The chains of clear `stretches`, ordered by where they begin; gaps of up to `gap` [mm] are none.
+pub(super) fn chains(work: &Workpiece, stretches: &[Stretch], gap: f64) -> Vec<Chain> {
+    let (next, has_previous) = links(work, stretches, gap);
     let mut used = vec![false; stretches.len()];
     let mut chains = Vec::new();
     // Open chains from their starts; what is left are loops.
@@ -47,7 +47,7 @@ pub(super) fn chains(work: &Workpiece, stretches: &[Stretch]) -> Vec<Chain> {
 }
 
 /// For each stretch the one that follows it, and whether it follows one.
-fn links(work: &Workpiece, stretches: &[Stretch]) -> (Vec<usize>, Vec<bool>) {
+fn links(work: &Workpiece, stretches: &[Stretch], gap: f64) -> (Vec<usize>, Vec<bool>) {
     let mut next: Vec<usize> =
         (0..stretches.len()).map(|k| following(work, stretches, k).unwrap_or(NONE)).collect();
     let mut has_previous = vec![false; stretches.len()];
@@ -72,5 +72,43 @@ fn links(work: &Workpiece, stretches: &[Stretch]) -> (Vec<usize>, Vec<bool>) {
             }
         }
     }
+    bridge(work, stretches, gap, &mut next, &mut has_previous);
     (next, has_previous)
+}
+
+/// Links ends to starts that are no farther than `gap` [mm] from them: where a loop is too small for
+/// its crossing to be told.
+fn bridge(
+    work: &Workpiece,
+    stretches: &[Stretch],
+    gap: f64,
+    next: &mut [usize],
+    has_previous: &mut [bool],
+) {
+    let point = |k: usize, t: f64| work.pieces[stretches[k].piece].curve.point(t);
+    let mut starting: Vec<(f64, usize)> = Vec::new();
+    for (k, stretch) in stretches.iter().enumerate() {
+        if !has_previous[k] && (stretch.from > 0.0 || stretch.starts_from_nothing(work)) {
+            starting.push((point(k, stretch.from).x, k));
+        }
+    }
+    sort_long(&mut starting, |a, b| a.0 < b.0);
+    for (k, stretch) in stretches.iter().enumerate() {
+        if next[k] != NONE || !(stretch.to < 1.0 || stretch.ends_in_nothing(work)) {
+            continue;
+        }
+        let end = point(k, stretch.to);
+        let from = starting.partition_point(|&(x, _)| x < end.x - gap);
+        let mut nearest = (gap, NONE);
+        for &(_, to) in starting[from..].iter().take_while(|&&(x, _)| x <= end.x + gap) {
+            let off = point(to, stretches[to].from).distance(end);
+            if off <= nearest.0 && !has_previous[to] && to != k {
+                nearest = (off, to);
+            }
+        }
+        if nearest.1 != NONE {
+            next[k] = nearest.1;
+            has_previous[nearest.1] = true;
+        }
+    }
 }

@@ -14,8 +14,12 @@ use crate::geometry::sort_long;
 /// on both.
 pub(super) const SAME_PLACE: f64 = 1e-7;
 
-/// Places examined on a stretch between two cuts.
+/// Places examined on a stretch between two cuts; on a short one that is not cut at all the first
+/// alone, since its neighbours are examined too.
 const EXAMINED: [f64; 3] = [0.5, 0.25, 0.75];
+
+/// What counts as short, as a part of the tool radius.
+const SHORT: f64 = 0.05;
 
 /// A piece of raw path between two cuts.
 #[derive(Debug, Clone, Copy)]
@@ -45,6 +49,8 @@ pub(super) struct Survey<'a> {
     pub(super) tree: &'a OrderTree,
     pub(super) marks: &'a Marks,
     pub(super) fates: &'a [Fate],
+    /// Radius of the tool [mm].
+    pub(super) radius: f64,
     /// What the offsets of splines may be off [mm].
     pub(super) tolerance: f64,
 }
@@ -65,10 +71,16 @@ impl Survey<'_> {
                 (stretches[k].end, stretches[next].start) = (place, place);
             }
         }
+        let places = |stretch: &Stretch| {
+            let curve = &self.work.pieces[stretch.piece].curve;
+            let whole = stretch.from == 0.0 && stretch.to == 1.0;
+            let size = curve.hull_bounds().size().max_element();
+            if whole && size <= SHORT * self.radius { 1 } else { EXAMINED.len() }
+        };
         stretches.retain(|stretch| {
             let Piece { curve, unit, .. } = &self.work.pieces[stretch.piece];
             self.fates[stretch.piece] == Fate::Clear
-                || EXAMINED.into_iter().all(|k| {
+                || EXAMINED[..places(stretch)].iter().all(|k| {
                     let t = stretch.from + (stretch.to - stretch.from) * k;
                     clearance.is_clear(curve.point(t), *unit as usize)
                 })

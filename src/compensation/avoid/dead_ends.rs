@@ -57,7 +57,7 @@ pub(super) fn remove_dead_ends(work: &Workpiece, stretches: &mut Vec<Stretch>, l
 
 impl Stretch {
     /// Whether it ends where neither its contour nor, at a fence, the room for the tool does.
-    fn ends_in_nothing(&self, work: &Workpiece) -> bool {
+    pub(super) fn ends_in_nothing(&self, work: &Workpiece) -> bool {
         self.to == 1.0 && {
             let unit = work.pieces[self.piece].unit as usize;
             let range = work.range_of(unit);
@@ -66,7 +66,7 @@ impl Stretch {
     }
 
     /// The same for its start.
-    fn starts_from_nothing(&self, work: &Workpiece) -> bool {
+    pub(super) fn starts_from_nothing(&self, work: &Workpiece) -> bool {
         self.from == 0.0 && {
             let unit = work.pieces[self.piece].unit as usize;
             let range = work.range_of(unit);

@@ -49,6 +49,10 @@ const OFFSET_SHARE: f64 = 0.1;
 /// answer is the same all along only to that.
 const CLEAR_SHARE: f64 = 0.22;
 
+/// Chords of the outlines of what is left uncut, as a part of the tool radius: a tenth of a
+/// thousandth of it in area.
+const OUTLINE: f64 = 1e-4;
+
 /// Longest dead end, as a multiple of `√(r tolerance)`: on a chord of 2.8 of it, a tool cuts as deep
 /// as the tolerance.
 const DEAD_END: f64 = 4.0;
@@ -133,23 +137,23 @@ fn clear_jobs(
     };
     let least = radius - slack;
     let marks = tree.marks(&work.ranges, Limits { reach: radius + tolerance, least });
-    let mut fates = sieve(&work, &marks, &mut Clearance::new(&work, &tree, least));
+    let mut fates = sieve(&work, &marks, &mut Clearance::new(&work, &tree, least), tolerance);
     let finer = OFFSET_SHARE * tolerance;
     if fates.contains(&Fate::Open) {
         let sources = work.refine(finer, tolerance, &|piece| fates[piece] == Fate::Open);
         let mut clearance = Clearance::new(&work, &tree, least);
         let fate = |(piece, source): (usize, &Result<usize, usize>)| match *source {
-            Ok(unit) => clearance.fate(&work.pieces[piece].curve, unit),
+            Ok(unit) => clearance.fate(&work.pieces[piece].curve, unit, 0.0),
             Err(former) => fates[former],
         };
         fates = sources.iter().enumerate().map(fate).collect();
     }
     let mut clearance = Clearance::new(&work, &tree, least);
     let survey =
-        Survey { work: &work, tree: &tree, marks: &marks, fates: &fates, tolerance: finer };
+        Survey { work: &work, tree: &tree, marks: &marks, fates: &fates, radius, tolerance: finer };
     let mut stretches = survey.clear_stretches(&mut clearance);
     remove_dead_ends(&work, &mut stretches, DEAD_END * (radius * tolerance).sqrt());
-    let chains = chains(&work, &stretches);
+    let chains = chains(&work, &stretches, CLEAR_SHARE * tolerance);
     let mut stitcher = Stitcher {
         work: &work,
         stretches: &stretches,
@@ -163,7 +167,9 @@ fn clear_jobs(
     if !tells_uncut {
         return path;
     }
-    path.uncut = uncut(&work, &stretches, jobs[0].tool, tolerance);
+    // The outline of a region need not be as fine as the path.
+    let outline = tolerance.max(OUTLINE * radius);
+    path.uncut = uncut(&work, &stretches, jobs[0].tool, outline);
     for (index, range) in work.ranges.iter().enumerate() {
         let pieces = work.pieces_of_range(*range);
         let first = stretches.partition_point(|stretch| stretch.piece < pieces.start);
@@ -171,7 +177,7 @@ fn clear_jobs(
             continue;
         }
         let contour = jobs[index].contour;
-        path.uncut.extend(uncut_inside(&work, index, tolerance).filter(|_| jobs.len() == 1));
+        path.uncut.extend(uncut_inside(&work, index, outline).filter(|_| jobs.len() == 1));
         path.diagnostics.push(
             Diagnostic::error("nothing-reachable", "the tool fits nowhere along the contour")
                 .with_point(contour.start())

@@ -6,6 +6,7 @@
 
 use glam::DVec2;
 
+use super::octants::Octants;
 use super::tree::{Marks, OrderTree};
 use super::units::{Kind, Workpiece};
 use crate::contour::MoveCurve;
@@ -41,11 +42,13 @@ impl<'a> Clearance<'a> {
         self.tame.1
     }
 
-    /// The fate of a piece that may be too near.
-    pub(super) fn fate(&mut self, curve: &MoveCurve, unit: usize) -> Fate {
-        let gouged = self.is_gouged(curve)
-            || runs_back(self.work, unit, curve) && !self.is_clear(curve.point(0.5), unit);
-        if gouged { Fate::Gouged } else { Fate::Open }
+    /// The fate of a piece that may be too near, and is off by up to `rough` [mm].
+    pub(super) fn fate(&mut self, curve: &MoveCurve, unit: usize, rough: f64) -> Fate {
+        if runs_back(self.work, unit, curve) || self.is_gouged(curve, rough) {
+            Fate::Gouged
+        } else {
+            Fate::Open
+        }
     }
 
     /// Whether `point` of the path of `unit` is far enough from all of the contour.
@@ -99,16 +102,16 @@ impl<'a> Clearance<'a> {
     }
 
     /// Whether all of a piece is too near, as far as a quick look tells.
-    fn is_gouged(&mut self, curve: &MoveCurve) -> bool {
+    fn is_gouged(&mut self, curve: &MoveCurve, rough: f64) -> bool {
         let hull = hull(curve);
-        if self.covers(self.hint, &hull) {
+        if self.covers(self.hint, &hull, rough) {
             return true;
         }
         let middle = curve.point(0.5);
         let half = hull.iter().map(|p| p.distance(middle)).fold(0.0, f64::max);
         let mut by = None;
-        self.tree.near(middle, self.least - half, &mut |unit| {
-            if self.covers(unit, &hull) {
+        self.tree.near(middle, self.least - half - rough, &mut |unit| {
+            if self.covers(unit, &hull, rough) {
                 by = Some(unit);
             }
             by.is_none()
@@ -117,11 +120,12 @@ impl<'a> Clearance<'a> {
         by.is_some()
     }
 
-    /// Whether a tool about one point of a unit's contour holds all of a hull.
-    fn covers(&self, unit: usize, hull: &[DVec2; 4]) -> bool {
-        let squared = self.least * self.least;
+    /// Whether a tool about one point of a unit's contour holds all of a hull and `rough` around it.
+    fn covers(&self, unit: usize, hull: &[DVec2; 4], rough: f64) -> bool {
+        let least = self.least - rough;
+        let squared = least * least;
         let holds = |at: DVec2| hull.iter().all(|p| p.distance_squared(at) < squared);
-        self.least > 0.0
+        least > 0.0
             && self.work.curve(unit).is_some_and(|c| landmarks(&c).into_iter().any(holds))
     }
 }
@@ -174,30 +178,46 @@ pub(super) enum Fate {
 }
 
 /// Tells the fate of every piece.
-pub(super) fn sieve(work: &Workpiece, marks: &Marks, clearance: &mut Clearance) -> Vec<Fate> {
+pub(super) fn sieve(
+    work: &Workpiece,
+    marks: &Marks,
+    clearance: &mut Clearance,
+    tolerance: f64,
+) -> Vec<Fate> {
     let mut fates = vec![Fate::Clear; work.pieces.len()];
     for unit in (0..work.units.len()).filter(|&unit| marks.is_suspect(unit)) {
+        // Beside cusps the pieces are rough.
+        let rough = match work.curve(unit) {
+            Some(MoveCurve::Cubic(cubic)) if !clearance.tree.unit(unit).fits => {
+                super::units::rough(&cubic, tolerance)
+            }
+            _ => 0.0,
+        };
         for piece in work.pieces_of(unit) {
             let gouged = marks.is_gouged(unit);
+            let curve = &work.pieces[piece].curve;
             fates[piece] =
-                if gouged { Fate::Gouged } else { clearance.fate(&work.pieces[piece].curve, unit) };
+                if gouged { Fate::Gouged } else { clearance.fate(curve, unit, rough) };
         }
     }
     fates
 }
 
 /// Whether a piece of the offset runs against its span: beyond a cusp. There the distance from
-/// the contour is greatest where the tool should touch it, so every place is too near, by less
-/// towards both ends; a crossing there is none that the tool could take.
+/// the contour is greatest where the tool should touch it, so every place is too near; a crossing
+/// there is none that the tool could take.
 fn runs_back(work: &Workpiece, unit: usize, curve: &MoveCurve) -> bool {
     if work.units[unit].kind != Kind::Segment {
         return false;
     }
     match (work.curve(unit), curve) {
         (Some(MoveCurve::Cubic(span)), MoveCurve::Cubic(piece)) => {
-            let slender = super::octants::Octants::of_cubic(&span).is_slender();
-            let along = span.end() - span.start();
-            slender && (piece.end() - piece.start()).dot(along) < 0.0
+            let along = if Octants::of_cubic(&span).is_slender() {
+                span.end() - span.start()
+            } else {
+                span.tangent(span.nearest(piece.point(0.5)).t)
+            };
+            (piece.end() - piece.start()).dot(along) < 0.0
         }
         (Some(MoveCurve::Arc(arc)), MoveCurve::Arc(piece)) => {
             (arc.start() - arc.center()).dot(piece.start() - piece.center()) < 0.0

@@ -141,7 +141,7 @@ impl Stitcher<'_> {
                     start = self.add_straight(&points, neighbours, &attributes);
                 } else if let Some(curve) = part(&piece.curve, stretch.from, to) {
                     let z = attributes.z;
-                    self.builder.piece(curve, Role::Transition, &attributes, [z[0]; 2]);
+                    self.push(curve, Role::Transition, &attributes, [z[0]; 2], first_move);
                 }
                 continue;
             }
@@ -151,7 +151,7 @@ impl Stitcher<'_> {
                 curve = Line::new(from, line.end()).ok().map(MoveCurve::Line).or(curve);
             }
             if let Some(curve) = curve {
-                self.builder.piece(curve, Role::Segment, &segment.attributes, z);
+                self.push(curve, Role::Segment, &segment.attributes, z, first_move);
             }
         }
         // The corner at the end of a loop: its first move starts there.
@@ -162,6 +162,26 @@ impl Stitcher<'_> {
         {
             *line = longer;
         }
+    }
+
+    /// Appends a move of a chain whose first move has the index `first`; a gap to the move before,
+    /// which is far within the tolerance, is bridged.
+    fn push(
+        &mut self,
+        curve: MoveCurve,
+        role: Role,
+        attributes: &Attributes,
+        z: [f64; 2],
+        first: usize,
+    ) {
+        let moves = &self.builder.path.moves;
+        if let Some(last) = moves.last().filter(|_| moves.len() > first)
+            && last.curve.end().distance(curve.start()) > SAME_PLACE
+            && let Ok(line) = Line::new(last.curve.end(), curve.start())
+        {
+            self.builder.piece(MoveCurve::Line(line), role, attributes, [z[0]; 2]);
+        }
+        self.builder.piece(curve, role, attributes, z);
     }
 
     /// Whether a stretch is the straight neighbour of a corner, whole at its side.

@@ -167,7 +167,8 @@ impl OrderTree {
         distance: f64,
         visit: &mut dyn FnMut(usize) -> bool,
     ) -> bool {
-        self.near_below(self.levels.len() - 1, 0, point, distance * distance, visit)
+        distance <= 0.0
+            || self.near_below(self.levels.len() - 1, 0, point, distance * distance, visit)
     }
 
     /// Calls `visit` with every unit whose contour's box is nearer to `bounds` than `distance` [mm].

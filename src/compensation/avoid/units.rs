@@ -9,14 +9,20 @@ use glam::DVec2;
 use super::octants::{Octants, octants_of_arc};
 use super::tree::{Node, Range};
 use crate::compensation::corner::classify;
-use crate::compensation::offset::{ArcOffset, offset_arc, offset_line, offset_span};
+use crate::compensation::offset::{
+    ArcOffset, Tolerances, offset_arc, offset_line, offset_span_roughly,
+};
 use crate::compensation::run::with_start;
 use crate::compensation::{LeadStyle, Options};
 use crate::contour::{Contour, Corner, CornerKind, MoveCurve, Segment, Tool, TransitionKind};
-use crate::geometry::{Arc, Bounds, Curve, MIN_LENGTH, direction, perp};
+use crate::geometry::{Arc, Bounds, Cubic, Curve, MIN_LENGTH, direction, perp};
 
 /// Shortest segment that shapes the path, as a part of the tolerance.
 const SHORTEST: f64 = 1e-3;
+
+/// How near the offset of a span is made where it is going to be cut or dropped, as a part of the
+/// span's length.
+const ROUGH: f64 = 0.01;
 
 /// A contour and the tool that is to run along it.
 #[derive(Debug, Clone, Copy)]
@@ -165,14 +171,10 @@ impl<'a> Workpiece<'a> {
                 let offset = self.jobs[self.units[unit].job as usize].tool.offset();
                 let inside = self.units[unit].span > 0;
                 scratch.clear();
-                offset_span(
-                    &cubic,
-                    offset,
-                    tolerance,
-                    before.filter(|_| inside),
-                    &mut scratch,
-                    &mut |_, _| {},
-                );
+                let tight = rough(&cubic, tolerance);
+                let tolerances = Tolerances { tight, ..Tolerances::even(tolerance) };
+                let before = before.filter(|_| inside);
+                offset_span_roughly(&cubic, offset, tolerances, before, &mut scratch);
                 for &curve in &scratch {
                     self.pieces.push(Piece { curve, unit: index(unit), next: NONE });
                     sources.push(Ok(unit));
@@ -227,6 +229,11 @@ impl<'a> Workpiece<'a> {
 /// An index of a list; memory ends long before its range does.
 pub(super) fn index(value: usize) -> u32 {
     u32::try_from(value).unwrap_or(NONE)
+}
+
+/// How near the offset of a span is made where it is going to be cut or dropped [mm].
+pub(super) fn rough(cubic: &Cubic, tolerance: f64) -> f64 {
+    tolerance.max(ROUGH * cubic.hull_length())
 }
 
 fn spans_of(segment: &Segment) -> usize {
@@ -329,11 +336,15 @@ impl Maker<'_> {
                 let mut scratch = std::mem::take(&mut self.scratch);
                 for (span, cubic) in (0..).zip(spline.pieces()) {
                     scratch.clear();
-                    let tolerance = options.usable_tolerance();
-                    let fits =
-                        offset_span(cubic, offset, tolerance, before, &mut scratch, &mut |_, _| {});
+                    let fitting = options.usable_tolerance();
+                    let coarse = rough(cubic, fitting);
+                    let tolerances = Tolerances { fitting, beside_cusps: coarse, tight: coarse };
+                    let fits = offset_span_roughly(cubic, offset, tolerances, before, &mut scratch);
                     before = scratch.last().map_or(before, |last| Some(last.end()));
-                    let path = self.pieces(&scratch);
+                    let mut path = self.pieces(&scratch);
+                    if !fits {
+                        path = path.inflated(coarse);
+                    }
                     let octants = Octants::of_cubic(cubic);
                     let fits = fits && octants.is_narrow();
                     let contour = cubic.hull_bounds();

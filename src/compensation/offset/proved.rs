@@ -1,6 +1,6 @@
 //! The offset of a spline piece by piece, each with the proof of its error.
 
-use super::spline::each_piece;
+use super::spline::{Tolerances, each_piece};
 use crate::contour::MoveCurve;
 use crate::geometry::{MIN_LENGTH, Spline};
 
@@ -38,7 +38,7 @@ pub fn proved_offset(spline: &Spline, offset: f64, tolerance: f64) -> Vec<Proved
         each_piece(
             cubic,
             offset,
-            tolerance,
+            Tolerances::even(tolerance),
             before,
             &mut |_, _| {},
             &mut |source, range, curve| {

@@ -68,7 +68,57 @@ pub(in crate::compensation) fn offset_span(
     pieces: &mut Vec<MoveCurve>,
     tight: &mut dyn FnMut(f64, f64),
 ) -> bool {
+    let tolerance = Tolerances::even(tolerance);
     each_piece(cubic, offset, tolerance, before, tight, &mut |_, _, piece| pieces.push(piece))
+        != Fit::No
+}
+
+/// Whether the tool fits all along a span.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Fit {
+    /// It does, as quick bounds tell.
+    Clearly,
+    /// It does, but only a closer look told.
+    Barely,
+    /// It does not.
+    No,
+}
+
+/// How near pieces are to the offset [mm].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(in crate::compensation) struct Tolerances {
+    /// Along spans that the tool fits all along.
+    pub(in crate::compensation) fitting: f64,
+    /// Where it fits on other spans.
+    pub(in crate::compensation) beside_cusps: f64,
+    /// Where it does not fit.
+    pub(in crate::compensation) tight: f64,
+}
+
+impl Tolerances {
+    /// The same everywhere.
+    pub(in crate::compensation) fn even(tolerance: f64) -> Self {
+        Self { fitting: tolerance, beside_cusps: tolerance, tight: tolerance }
+    }
+}
+
+/// [`offset_span`] for a path that is going to be cut: what is cut out need not be near.
+pub(in crate::compensation) fn offset_span_roughly(
+    cubic: &Cubic,
+    offset: f64,
+    tolerances: Tolerances,
+    before: Option<DVec2>,
+    pieces: &mut Vec<MoveCurve>,
+) -> bool {
+    let from = pieces.len();
+    let mut emit = |_: &Source, _, piece| pieces.push(piece);
+    let fit = each_piece(cubic, offset, tolerances, before, &mut |_, _| {}, &mut emit);
+    if fit == Fit::Barely && tolerances.beside_cusps > tolerances.fitting {
+        // There are no cusps after all.
+        pieces.truncate(from);
+        return offset_span(cubic, offset, tolerances.fitting, before, pieces, &mut |_, _| {});
+    }
+    fit != Fit::No
 }
 
 /// Calls `emit` with every piece of the offset of one span, what it is the offset of, and the range
@@ -76,18 +126,18 @@ pub(in crate::compensation) fn offset_span(
 pub(super) fn each_piece(
     cubic: &Cubic,
     offset: f64,
-    tolerance: f64,
+    tolerances: Tolerances,
     mut before: Option<DVec2>,
     tight: &mut dyn FnMut(f64, f64),
     emit: &mut Emit,
-) -> bool {
+) -> Fit {
     let whole = Source::new(*cubic, offset);
     if offset.abs() <= MIN_LENGTH {
         // No proof tells the two sides of the curve apart, and none is needed.
         emit(&whole, [0.0, 1.0], MoveCurve::Cubic(*cubic));
-        return true;
+        return Fit::Clearly;
     }
-    let mut append = |source: &Source, range: [f64; 2], fits: bool| {
+    let mut append = |source: &Source, range: [f64; 2], fits: bool, tolerance: f64| {
         let ends = [source.end(0.0), source.end(1.0)];
         let arc = before.and_then(|b| join(b, ends[0].point, source.cubic.start(), offset));
         if let Some(arc) = arc {
@@ -100,8 +150,8 @@ pub(super) fn each_piece(
         });
     };
     if whole.speed.surely_fits(offset) {
-        append(&whole, [0.0, 1.0], true);
-        return true;
+        append(&whole, [0.0, 1.0], true, tolerances.fitting);
+        return Fit::Clearly;
     }
     let mut all_fit = true;
     each_stretch(cubic, offset, &mut |source, from, to, fits| {
@@ -109,9 +159,10 @@ pub(super) fn each_piece(
             all_fit = false;
             tight(from, to);
         }
-        append(source, [from, to], fits);
+        let tolerance = if fits { tolerances.beside_cusps } else { tolerances.tight };
+        append(source, [from, to], fits, tolerance);
     });
-    all_fit
+    if all_fit { Fit::Barely } else { Fit::No }
 }
 
 /// What takes the pieces.

@@ -1,0 +1,136 @@
+//! Clearing a pocket: paths beside each other, each farther from the contour than the one before.
+//!
+//! Every pass is offset from the contour itself, so errors do not add up. A pass may fall into
+//! several loops; each lies inside one loop of the pass before.
+
+use glam::DVec2;
+
+use super::avoid::avoid_all;
+use super::{Options, Passes};
+use crate::contour::{Contour, MoveCurve, PathLoop, Tool, ToolPath};
+use crate::diagnostic::Diagnostic;
+use crate::geometry::{Bounds, Curve, cross};
+
+/// Most passes; more than any machine has the time for.
+const MOST: u32 = 10_000;
+
+/// Chords of an outline that only tells inside from outside, as a part of the tool radius.
+const COARSE: f64 = 0.01;
+
+/// Farthest that two moves of one loop may be apart [mm].
+const GAP: f64 = 1e-6;
+
+/// All passes along `jobs`, loop by loop.
+pub(super) fn pocket(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath {
+    let (count, stepover) = match options.passes {
+        Passes::One => (1, 0.0),
+        Passes::Several { count, stepover } => (count.clamp(1, MOST), stepover),
+        Passes::All { stepover } => (MOST, stepover),
+    };
+    let mut path = avoid_all(jobs, options);
+    add_loops(&mut path, 0, 0);
+    if matches!(options.passes, Passes::All { .. }) && !jobs.iter().any(is_pocket) {
+        path.diagnostics.push(
+            Diagnostic::error("no-pocket", "passes without end: no contour closes round the tool")
+                .with_point(jobs[0].0.start())
+                .with_hint("ask for a number of passes, or close the contour"),
+        );
+        return path;
+    }
+    let mut before = 0;
+    for pass in 1..count {
+        if path.moves.is_empty() || stepover <= 0.0 {
+            break;
+        }
+        let wider = |&(contour, tool): &(_, Tool)| {
+            let radius = tool.radius() + f64::from(pass) * stepover;
+            Some((contour, Tool::new(radius, tool.side())?))
+        };
+        let Some(wider) = jobs.iter().map(wider).collect::<Option<Vec<_>>>() else { break };
+        let mut next = avoid_all(&wider, options);
+        if next.moves.is_empty() {
+            break;
+        }
+        // What the first pass says about the contour holds for all; the others leave nothing of it.
+        next.diagnostics.clear();
+        next.transitions.clear();
+        next.words.clear();
+        next.uncut.clear();
+        let first_loop = path.loops.len();
+        path.append(next);
+        add_loops(&mut path, pass, before);
+        before = first_loop;
+    }
+    path
+}
+
+/// Whether a contour closes round the tool beside it.
+fn is_pocket(&(contour, tool): &(&Contour, Tool)) -> bool {
+    let mut area = 0.0;
+    let origin = contour.start();
+    let mut last = origin;
+    for segment in contour.segments() {
+        let mut add = |point: DVec2| {
+            area += cross(last - origin, point - origin);
+            last = point;
+        };
+        let coarse = COARSE * tool.radius().max(1e-3);
+        match &segment.curve {
+            Curve::Line(line) => add(line.end()),
+            Curve::Arc(arc) => crate::geometry::flatten_arc(arc, coarse, &mut add),
+            Curve::Spline(spline) => {
+                for piece in spline.pieces() {
+                    crate::geometry::flatten_cubic(piece, coarse, &mut add);
+                }
+            }
+        }
+    }
+    contour.is_closed() && area * tool.offset() > 0.0
+}
+
+/// Names the loops among the moves behind those that have been named; `from` is the first loop of
+/// the pass before.
+fn add_loops(path: &mut ToolPath, pass: u32, from: usize) {
+    let candidates = path.loops.len();
+    let mut first = path.loops.last().map_or(0, |last| last.moves_end);
+    while first < path.moves.len() {
+        let mut end = first + 1;
+        while end < path.moves.len()
+            && path.moves[end - 1].curve.end().distance(path.moves[end].curve.start()) <= GAP
+            && (path.moves[end - 1].curve.end().distance(path.moves[first].curve.start()) > GAP
+                || end == first + 1 && path.moves[first].curve.length() <= GAP)
+        {
+            end += 1;
+        }
+        let at = path.moves[first].curve.start();
+        let around = |&index: &usize| surrounds(path, &path.loops[index], at);
+        let parent = if pass == 0 { None } else { (from..candidates).find(around) };
+        path.loops.push(PathLoop { first_move: first, moves_end: end, pass, parent });
+        first = end;
+    }
+}
+
+/// Whether a loop of the path lies round a point: how often a ray from there crosses it.
+fn surrounds(path: &ToolPath, one: &PathLoop, point: DVec2) -> bool {
+    let moves = &path.moves[one.first_move..one.moves_end];
+    let curves = moves.iter().map(|one| &one.curve);
+    let bounds = curves.clone().map(MoveCurve::hull_bounds).fold(Bounds::EMPTY, Bounds::union);
+    if bounds.distance(point) > 0.0 {
+        return false;
+    }
+    let coarse = 1e-3 * bounds.size().max_element();
+    let mut inside = false;
+    let mut last = moves[0].curve.start();
+    for curve in curves {
+        curve.flatten(coarse, &mut |next| {
+            if (last.y > point.y) != (next.y > point.y) {
+                let along = (point.y - last.y) / (next.y - last.y);
+                if last.x + (next.x - last.x) * along > point.x {
+                    inside = !inside;
+                }
+            }
+            last = next;
+        });
+    }
+    inside
+}
