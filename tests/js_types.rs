@@ -7,14 +7,14 @@ use std::fs;
 use std::path::Path;
 
 use g41::contour::{
-    Attributes, ContourBuilder, Gouge, GougeKind, Lead, Shape, Side, SplineShape, Transition,
-    TransitionKind, Uncut,
+    Attributes, ContourBuilder, Gouge, GougeKind, Lead, PathLoop, Shape, Side, SplineShape,
+    Transition, TransitionKind, Uncut,
 };
 use g41::diagnostic::{Diagnostic, Origin};
 use g41::geometry::Parameter;
 use g41::js::{
-    Numbering, RECORD_STRIDE, contours_json, diagnostics_json, gouges_json, transitions_json,
-    uncut_json,
+    Numbering, RECORD_STRIDE, contours_json, diagnostics_json, gouges_json, loops_json,
+    transitions_json, uncut_json,
 };
 use g41::program::{ProgrammedContour, RadiusSource};
 use glam::{DVec2, dvec2};
@@ -39,6 +39,7 @@ fn samples_of_every_report_are_written_for_tsc() {
             "(Omit<api.Uncut, \"outline\"> & { vertices: number })[]",
         );
     }
+    sample(&loops_json(&loops()), "api.PathLoop[]");
     sample(&contours_json(&contours()), "api.ProgrammedContour[]");
     sample(&RECORD_STRIDE.to_string(), "typeof api.RECORD_STRIDE");
 
@@ -95,6 +96,11 @@ fn uncut() -> Vec<Uncut> {
         area: 0.5,
         segments: vec![BLOCK, BARE_BLOCK, SEGMENT],
     }]
+}
+
+fn loops() -> Vec<PathLoop> {
+    let outer = PathLoop { first_move: 0, moves_end: 4, pass: 0, parent: None };
+    vec![outer, PathLoop { first_move: 4, moves_end: 8, pass: 1, parent: Some(0) }]
 }
 
 /// Contours with segments of every kind, splines with every end, and every source of a radius.

@@ -15,5 +15,7 @@ pub use builder::{ARC_TOLERANCE, Built, ContourBuilder, Shape, SplineShape};
 pub use corner::{Corner, CornerKind};
 pub use segment::{Attributes, Contour, Event, EventKind, Lead, Segment};
 pub use tool::{Side, Tool};
-pub use tool_path::{AuxiliaryWords, Gouge, GougeKind, Move, MoveCurve, PathLoop, Role, ToolPath, Uncut};
+pub use tool_path::{
+    AuxiliaryWords, Gouge, GougeKind, Move, MoveCurve, PathLoop, Role, ToolPath, Uncut,
+};
 pub use transition::{Transition, TransitionKind};

@@ -33,7 +33,7 @@ pub use numbering::Numbering;
 pub use polylines_handle::PolylinesHandle;
 pub use program::{ProgramHandle, parse_program};
 pub use programmed::contours_json;
-pub use report::{diagnostics_json, gouges_json, transitions_json, uncut_json};
+pub use report::{diagnostics_json, gouges_json, loops_json, transitions_json, uncut_json};
 pub use settings::Settings;
 pub use tool_path::ToolPathHandle;
 

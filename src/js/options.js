@@ -176,8 +176,7 @@ function passes(options, avoids) {
   if (stepover === undefined) {
     bad(at("stepover"), "be given where there are several passes");
   }
-  // The core has no second pass yet.
-  return notSupported(at("passes"), `"${count}"`);
+  return [count === "all" ? undefined : count, stepover];
 }
 
 /** Most passes: more than any pocket has, and a count that the core can hold. */

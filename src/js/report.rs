@@ -5,7 +5,7 @@
 
 use super::json::{Object, list};
 use super::numbering::{Numbering, Place};
-use crate::contour::{Gouge, GougeKind, Transition, TransitionKind, Uncut};
+use crate::contour::{Gouge, GougeKind, PathLoop, Transition, TransitionKind, Uncut};
 use crate::diagnostic::{Diagnostic, Origin, Severity};
 
 /// `Diagnostic[]` of `types.d.ts` as JSON.
@@ -91,6 +91,20 @@ pub fn uncut_json(uncut: &[Uncut], numbering: &Numbering) -> String {
         object.number("vertices", outline.len() as f64);
         object.number("area", *area);
         write_segments(object, segments, numbering);
+    })
+}
+
+/// `PathLoop[]` of `types.d.ts` as JSON.
+#[must_use]
+pub fn loops_json(loops: &[PathLoop]) -> String {
+    list(loops, |object, one| {
+        let PathLoop { first_move, moves_end, pass, parent } = one;
+        object.number("from", *first_move as f64);
+        object.number("to", *moves_end as f64);
+        object.number("pass", (*pass).into());
+        if let Some(parent) = parent {
+            object.number("parent", *parent as f64);
+        }
     })
 }
 

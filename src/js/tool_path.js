@@ -28,6 +28,8 @@ export class ToolPath {
   #diagnostics;
   /** @type {Face["gouges"] | undefined} */
   #gouges;
+  /** @type {Face["loops"] | undefined} */
+  #loops;
   /** @type {Face["uncut"] | undefined} */
   #uncut;
 
@@ -58,6 +60,11 @@ export class ToolPath {
   get gouges() {
     this.#gouges ??= JSON.parse(this.#handle.use((raw) => raw.gouges()));
     return /** @type {Face["gouges"]} */ (this.#gouges);
+  }
+
+  get loops() {
+    this.#loops ??= JSON.parse(this.#handle.use((raw) => raw.loops()));
+    return /** @type {Face["loops"]} */ (this.#loops);
   }
 
   get uncut() {

@@ -7,7 +7,7 @@ use super::move_records::{move_records, per_second};
 use super::numbering::Numbering;
 use super::polylines::Polylines;
 use super::polylines_handle::PolylinesHandle;
-use super::report::{diagnostics_json, gouges_json, transitions_json, uncut_json};
+use super::report::{diagnostics_json, gouges_json, loops_json, transitions_json, uncut_json};
 use crate::contour::ToolPath;
 use crate::program::{EmitOptions, Emitted, Target, emit};
 
@@ -55,6 +55,12 @@ impl ToolPathHandle {
     #[must_use]
     pub fn gouges(&self) -> String {
         gouges_json(&self.path.gouges, &self.numbering)
+    }
+
+    /// `loops` as JSON.
+    #[must_use]
+    pub fn loops(&self) -> String {
+        loops_json(&self.path.loops)
     }
 
     /// `uncut` as JSON, its outlines apart.

@@ -494,6 +494,21 @@ export interface Emitted {
   diagnostics: Diagnostic[];
 }
 
+/** One loop of a path in several passes. */
+export interface PathLoop {
+  /** Index of its first move. */
+  from: number;
+  /** Index behind its last move. */
+  to: number;
+  /** Which pass it is part of; the one along the contour is 0. */
+  pass: number;
+  /**
+   * Index of the loop of the pass before that lies round it; none in the first pass, and where no
+   * single loop does.
+   */
+  parent?: number;
+}
+
 /** Numbers of one move in `ToolPath.records()`. */
 export const RECORD_STRIDE: 19;
 
@@ -515,6 +530,8 @@ export class ToolPath {
   readonly gouges: Gouge[];
   /** What the tool cannot reach, with `gouge: "avoid"`. */
   readonly uncut: Uncut[];
+  /** The loops of a path in several passes; empty for one pass. */
+  readonly loops: PathLoop[];
   /**
    * The vertices `x0, y0, x1, y1, …` of a path in one piece, rapid moves apart; empty for an empty
    * path.

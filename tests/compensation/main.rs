@@ -18,6 +18,7 @@ mod judged;
 mod leads;
 mod live;
 mod million;
+mod pockets;
 mod policies;
 mod proved;
 mod radii;

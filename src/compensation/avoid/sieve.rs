@@ -125,8 +125,7 @@ impl<'a> Clearance<'a> {
         let least = self.least - rough;
         let squared = least * least;
         let holds = |at: DVec2| hull.iter().all(|p| p.distance_squared(at) < squared);
-        least > 0.0
-            && self.work.curve(unit).is_some_and(|c| landmarks(&c).into_iter().any(holds))
+        least > 0.0 && self.work.curve(unit).is_some_and(|c| landmarks(&c).into_iter().any(holds))
     }
 }
 
@@ -196,8 +195,7 @@ pub(super) fn sieve(
         for piece in work.pieces_of(unit) {
             let gouged = marks.is_gouged(unit);
             let curve = &work.pieces[piece].curve;
-            fates[piece] =
-                if gouged { Fate::Gouged } else { clearance.fate(curve, unit, rough) };
+            fates[piece] = if gouged { Fate::Gouged } else { clearance.fate(curve, unit, rough) };
         }
     }
     fates

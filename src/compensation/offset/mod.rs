@@ -18,8 +18,8 @@ use glam::DVec2;
 pub(super) use arc::{ArcOffset, offset_arc};
 pub(super) use line::offset_line;
 pub use proved::{ProvedPiece, proved_offset};
-pub(super) use spline::{Tolerances, offset_span, offset_span_roughly};
 pub(super) use spline::{SpanEnd, offset_spline, spline_bends};
+pub(super) use spline::{Tolerances, offset_span, offset_span_roughly};
 
 /// A stretch of one segment that bends tighter than the tool.
 #[derive(Debug, Clone, Copy, PartialEq)]

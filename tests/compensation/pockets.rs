@@ -1,0 +1,118 @@
+//! Several passes: a pocket is cleared by paths beside each other, and their nesting is told.
+
+use g41::compensation::{CornerStyle, GougePolicy, Options, Passes, compensate_all};
+use g41::contour::{Contour, PathLoop, Side, Tool, ToolPath};
+use g41::gouge::check;
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use super::judge::samples;
+use super::sketch::{Sketch, arc, line};
+use crate::common::{near, p};
+
+fn polygon(points: &[(f64, f64)]) -> Contour {
+    let start = p(points[0].0, points[0].1);
+    let rest = points[1..].iter().chain(&points[..1]);
+    Sketch::closed(start, rest.map(|&(x, y)| line(p(x, y)))).contour()
+}
+
+fn square() -> Contour {
+    polygon(&[(0.0, 0.0), (40.0, 0.0), (40.0, 40.0), (0.0, 40.0)])
+}
+
+fn cleared(contours: &[&Contour], radius: f64, passes: Passes) -> ToolPath {
+    let tool = Tool::new(radius, Side::Left).expect("a radius");
+    let jobs: Vec<_> = contours.iter().map(|&contour| (contour, tool)).collect();
+    let (gouge, corner) = (GougePolicy::Avoid, CornerStyle::Linear);
+    compensate_all(&jobs, &Options { gouge, corner, passes, ..Options::default() })
+}
+
+fn length(path: &ToolPath, one: &PathLoop) -> f64 {
+    path.moves[one.first_move..one.moves_end].iter().map(|one| one.curve.length()).sum()
+}
+
+#[test]
+fn a_square_is_cleared_by_squares_one_in_the_other() {
+    let path = cleared(&[&square()], 3.0, Passes::All { stepover: 4.0 });
+    // 3, 7, 11, 15 and 19 mm from the walls; at 23 there is no room left.
+    assert_eq!(path.loops.len(), 5, "{:?}", path.loops);
+    for (k, one) in path.loops.iter().enumerate() {
+        let from_wall = 3.0 + 4.0 * k as f64;
+        near(length(&path, one), 4.0 * (40.0 - 2.0 * from_wall), 1e-6, "length of a square");
+        assert_eq!((one.pass as usize, one.parent), (k, k.checked_sub(1)), "nesting of {k}");
+    }
+    assert_eq!(path.loops[4].moves_end, path.moves.len(), "all moves are in loops");
+}
+
+#[test]
+fn a_count_of_passes_is_kept() {
+    let path = cleared(&[&square()], 3.0, Passes::Several { count: 3, stepover: 4.0 });
+    assert_eq!(path.loops.iter().map(|one| one.pass).collect::<Vec<_>>(), [0, 1, 2], "passes");
+    let all = cleared(&[&square()], 3.0, Passes::Several { count: 99, stepover: 4.0 });
+    assert_eq!(all.loops.len(), 5, "no more than there is room for");
+}
+
+#[test]
+fn a_pocket_with_a_waist_falls_into_two_with_one_parent() {
+    // Two rooms of 20 by 20 mm and a corridor of 8 mm between them.
+    let rooms = polygon(&[
+        (0.0, 0.0),
+        (20.0, 0.0),
+        (20.0, 6.0),
+        (30.0, 6.0),
+        (30.0, 0.0),
+        (50.0, 0.0),
+        (50.0, 20.0),
+        (30.0, 20.0),
+        (30.0, 14.0),
+        (20.0, 14.0),
+        (20.0, 20.0),
+        (0.0, 20.0),
+    ]);
+    let path = cleared(&[&rooms], 3.0, Passes::All { stepover: 3.0 });
+    let of = |pass| path.loops.iter().filter(|one| one.pass == pass).collect::<Vec<_>>();
+    assert_eq!((of(0).len(), of(1).len(), of(2).len()), (1, 2, 2), "loops: {:?}", path.loops);
+    assert_eq!(of(1).iter().map(|one| one.parent).collect::<Vec<_>>(), [Some(0), Some(0)], "waist");
+    let parents: Vec<_> = of(2).iter().map(|one| one.parent).collect();
+    assert_eq!(parents, [Some(1), Some(2)], "each in its own room: {:?}", path.loops);
+    assert_eq!(check(&rooms, &path, 3.0, 1e-3), [], "the judge");
+}
+
+#[test]
+fn an_island_is_gone_round_in_every_pass() {
+    let pocket = polygon(&[(-40.0, -40.0), (40.0, -40.0), (40.0, 40.0), (-40.0, 40.0)]);
+    // A round island, run clockwise so that the tool is outside it.
+    let halves = [arc(p(-8.0, 0.0), p(0.0, 0.0), true), arc(p(8.0, 0.0), p(0.0, 0.0), true)];
+    let island = Sketch::closed(p(8.0, 0.0), halves).contour();
+    let path = cleared(&[&pocket, &island], 3.0, Passes::All { stepover: 5.0 });
+    for contour in [&pocket, &island] {
+        assert_eq!(check(contour, &path, 3.0, 1e-3), [], "the judge");
+    }
+    // Every place of the pocket is within the tool somewhere: no ridge is as wide as the stepover.
+    let centers = samples(&path, 300);
+    let mut k = 0;
+    for x in -36..=36 {
+        for y in -36..=36 {
+            let place = p(f64::from(x), f64::from(y));
+            // Within reach of the island, and away from the corners.
+            if place.length() < 8.5 || place.abs().min_element() > 30.0 {
+                continue;
+            }
+            k += 1;
+            let nearest = centers.iter().map(|c| c.distance(place)).fold(f64::INFINITY, f64::min);
+            assert!(nearest <= 3.0, "{place} is {nearest} from the nearest pass");
+        }
+    }
+    assert!(k > 3000, "places examined: {k}");
+}
+
+#[test]
+fn passes_without_end_need_a_pocket() {
+    let wall = Sketch::open(p(0.0, 0.0), [line(p(40.0, 0.0))]).contour();
+    let path = cleared(&[&wall], 3.0, Passes::All { stepover: 2.0 });
+    assert!(path.diagnostics.iter().any(|d| d.code == "no-pocket"), "{:?}", path.diagnostics);
+    assert_eq!(path.loops.len(), 1, "one pass");
+    let some = cleared(&[&wall], 3.0, Passes::Several { count: 4, stepover: 2.0 });
+    let heights: Vec<f64> = some.moves.iter().map(|one| one.curve.start().y).collect();
+    assert_eq!(heights, [3.0, 5.0, 7.0, 9.0], "beside a wall: {:?}", some.loops);
+}
