@@ -12,7 +12,8 @@ pub(super) fn remove_dead_ends(work: &Workpiece, stretches: &mut Vec<Stretch>, l
     let count = stretches.len();
     let mut next = vec![None; count];
     let mut previous = vec![None; count];
-    let (mut starts, mut ends): (Vec<(u32, usize)>, Vec<(u32, usize)>) = (Vec::new(), Vec::new());
+    let mut starts: Vec<(u32, usize)> = Vec::new();
+    let mut ends: Vec<(u32, usize)> = Vec::new();
     for k in 0..count {
         next[k] = following(work, stretches, k);
         if let Some(to) = next[k] {
