@@ -467,4 +467,8 @@ fn an_edit_of_nothing_is_refused() {
     assert_eq!(live.remove_point(1, 0), Ok(()), "one is left");
     assert_eq!(live.remove_point(1, 0), Err(EditError::LastPoint), "removed");
     assert_eq!(live.set_segment(2, Shape::Line { to: at }), Err(EditError::NoSegment), "set");
+    assert_eq!(live.set_segment(1, spline(Vec::new())), Ok(()), "a spline without points");
+    assert_eq!(live.move_point(1, 0, at), Err(EditError::NoPoint), "moved");
+    live.update();
+    assert_eq!(live.path_starts(), [0], "the line is left");
 }

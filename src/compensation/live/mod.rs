@@ -161,10 +161,10 @@ impl LiveContour {
                 self.move_end(segment, to);
             }
             Shape::Spline(spline) => {
-                let last = spline.points.len() - 1;
+                let count = spline.points.len();
                 let point = spline.points.get_mut(index).ok_or(EditError::NoPoint)?;
                 *point = to;
-                if index == last {
+                if index + 1 == count {
                     self.move_end(segment, to);
                 } else {
                     self.edit(&mut |local, _| local.move_type_point(segment, index + 1, to));
