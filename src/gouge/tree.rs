@@ -1,62 +1,67 @@
-//! A tree of boxes over chords in the order of their curve.
+//! A tree of boxes over the pieces of contours, in their order.
 //!
-//! Successive chords lie side by side, so halving their list halves space well enough: no sorting,
-//! and the tree is two arrays. Level 0 holds the boxes of groups of chords, each further level one
-//! box for two below it.
+//! Successive pieces lie side by side, so grouping their list groups them in space well enough: no
+//! sorting, and the tree is one array. Level 0 holds the boxes of the pieces, each further level one
+//! box for four below it.
 
-use glam::DVec2;
-
-use super::chord::Chord;
+use super::part::Part;
 use crate::geometry::Bounds;
 
-/// Chords of one leaf: few enough to look at each, enough to keep the tree small.
-const LEAF: usize = 4;
+/// Boxes under one of the level above.
+const BRANCHES: usize = 4;
 
-/// Boxes around chords.
+/// Boxes around pieces.
 #[derive(Debug)]
 pub(super) struct Tree {
-    chords: Vec<Chord>,
-    /// Boxes level by level, the leaves first, the root last.
+    /// Boxes level by level, those of the pieces first, the root last.
     levels: Vec<Vec<Bounds>>,
 }
 
 impl Tree {
-    pub(super) fn new(chords: Vec<Chord>) -> Self {
+    pub(super) fn new(pieces: Vec<Bounds>) -> Self {
         let around = |boxes: &[Bounds]| boxes.iter().copied().fold(Bounds::EMPTY, Bounds::union);
-        let leaves: Vec<Bounds> = chords
-            .chunks(LEAF)
-            .map(|leaf| leaf.iter().map(Chord::bounds).fold(Bounds::EMPTY, Bounds::union))
-            .collect();
-        let mut levels = vec![leaves];
+        let mut levels = vec![pieces];
         while let Some(below) = levels.last()
             && below.len() > 1
         {
-            let level = below.chunks(2).map(around).collect();
+            let level = below.chunks(BRANCHES).map(around).collect();
             levels.push(level);
         }
-        Self { chords, levels }
+        Self { levels }
     }
 
-    /// Calls `visit` with every chord whose box is within `distance` [mm] of `bounds`.
-    pub(super) fn near(&self, bounds: &Bounds, distance: f64, mut visit: impl FnMut(&Chord)) {
-        // By the true distance of the boxes: a large tool goes round the part at arm's length, and a
-        // square about its centre would hold all of the contour.
-        let is_near = |around: &Bounds| {
-            let gap = (bounds.min - around.max).max(around.min - bounds.max).max(DVec2::ZERO);
-            gap.length_squared() <= distance * distance
-        };
-        let mut open = vec![(self.levels.len() - 1, 0)];
-        while let Some((level, index)) = open.pop() {
-            let Some(around) = self.levels[level].get(index) else { continue };
-            if !is_near(around) {
-                continue;
-            }
-            if level > 0 {
-                open.extend([(level - 1, 2 * index + 1), (level - 1, 2 * index)]);
-                continue;
-            }
-            let from = index * LEAF;
-            self.chords[from..(from + LEAF).min(self.chords.len())].iter().for_each(&mut visit);
+    /// Calls `visit` with every piece whose box is nearer than `distance` [mm] to a part.
+    pub(super) fn near(&self, part: &Part, distance: f64, visit: &mut dyn FnMut(usize)) {
+        let bounds = part.curve.hull_bounds();
+        self.descend(
+            self.levels.len() - 1,
+            0,
+            &|around| {
+                let gap = (around.min - bounds.max).max(bounds.min - around.max);
+                gap.max(glam::DVec2::ZERO).length_squared() < distance * distance
+                    && around.distance(part.middle) < distance + part.reach
+            },
+            visit,
+        );
+    }
+
+    fn descend(
+        &self,
+        level: usize,
+        index: usize,
+        is_near: &dyn Fn(&Bounds) -> bool,
+        visit: &mut dyn FnMut(usize),
+    ) {
+        let Some(around) = self.levels[level].get(index) else { return };
+        if !is_near(around) {
+            return;
+        }
+        if level == 0 {
+            visit(index);
+            return;
+        }
+        for branch in 0..BRANCHES {
+            self.descend(level - 1, BRANCHES * index + branch, is_near, visit);
         }
     }
 }

@@ -3,13 +3,15 @@
 use g41::compensation::{CornerStyle, Options, compensate};
 use g41::contour::{GougeKind, Side, Tool};
 use g41::diagnostic::Origin;
-use g41::gouge::check;
+use g41::gouge::{check, check_all};
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+use super::families::Case;
 use super::judge::{field_of, samples};
 use super::random_contours::{star, wandering};
 use super::sketch::{Sketch, arc, line};
+use super::verdict::path_of;
 use crate::common::random::Random;
 use crate::common::{near, near_point, p};
 
@@ -85,4 +87,40 @@ fn a_path_at_the_radius_is_clean() {
         assert!(check(&contour, &path, radius, 1e-6).is_empty(), "r = {radius}, {side:?}");
         assert!(!check(&contour, &path, radius + 0.1, 1e-6).is_empty(), "a larger tool would cut");
     }
+}
+
+#[test]
+fn paths_that_keep_at_a_large_radius_are_clean() {
+    // Contours small beside the radius, tolerance 1e-5: the path is at the radius all along.
+    for seed in [773, 1275, 1462, 5414] {
+        let case = Case::of(seed);
+        let contour = case.contour().expect("the families have these");
+        let path = path_of(&case, &contour);
+        let field = field_of(&contour);
+        let nearest = samples(&path, 9)
+            .into_iter()
+            .map(|at| field.distance(at))
+            .fold(f64::INFINITY, f64::min);
+        assert!(nearest >= case.radius - case.tolerance, "seed {seed}: brute force, {nearest}");
+        let gouges = check(&contour, &path, case.radius, case.tolerance);
+        assert_eq!(gouges, [], "seed {seed}: the judge");
+        let wider = check(&contour, &path, case.radius + 0.01, case.tolerance);
+        assert!(!wider.is_empty(), "seed {seed}: a larger tool would cut");
+    }
+}
+
+#[test]
+fn several_contours_are_judged_together() {
+    let ring = |reach: f64| {
+        let corners = [(reach, -reach), (reach, reach), (-reach, reach), (-reach, -reach)];
+        Sketch::closed(p(-reach, -reach), corners.map(|(x, y)| line(p(x, y)))).contour()
+    };
+    let (outer, island) = (ring(20.0), ring(12.0));
+    let tool = Tool::new(5.0, Side::Left).expect("a radius");
+    let path = compensate(&outer, tool, &Options::default());
+    assert_eq!(check(&outer, &path, 5.0, TOLERANCE), [], "along the outer walls alone");
+    // The path's square of 15 mm is 3 mm off the island's of 12 mm.
+    let gouges = check_all(&[&outer, &island], &path, 5.0, TOLERANCE);
+    assert!(!gouges.is_empty(), "the island is cut");
+    near(gouges.iter().map(|gouge| gouge.depth).fold(0.0, f64::max), 2.0, 1e-9, "5 − 3");
 }
