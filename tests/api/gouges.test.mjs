@@ -190,3 +190,35 @@ test("between pieces the tool rises to a height that is known, and else does not
   );
   assert.ok(crossed.text.length > text.length && !text.includes("X46"), "the first room only");
 });
+
+test("a pocket is cleared in passes, one loop in the other", () => {
+  const pocket = {
+    start: [0, 0],
+    closed: true,
+    segments: [
+      { kind: "line", to: [40, 0] },
+      { kind: "line", to: [40, 40] },
+      { kind: "line", to: [0, 40] },
+      { kind: "line", to: [0, 0] },
+    ],
+  };
+  const options = { side: "left", radius: 3, gouge: "avoid", stepover: 4 };
+  const all = compensate(pocket, { ...options, passes: "all" });
+  // 3, 7, 11, 15 and 19 mm from the walls.
+  assert.deepEqual(
+    all.loops.map(({ pass, parent }) => [pass, parent]),
+    [
+      [0, undefined],
+      [1, 0],
+      [2, 1],
+      [3, 2],
+      [4, 3],
+    ],
+  );
+  const innermost = all.moves.slice(all.loops[4].from, all.loops[4].to);
+  for (const { from } of innermost) {
+    assert.ok(Math.abs(Math.abs(from[0] - 20) - 1) < 1e-9, `${from}`);
+  }
+  assert.equal(compensate(pocket, { ...options, passes: 2 }).loops.length, 2);
+  assert.deepEqual(compensate(pocket, { ...options, passes: 1 }).loops, []);
+});

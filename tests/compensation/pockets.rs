@@ -100,7 +100,7 @@ fn an_island_is_gone_round_in_every_pass() {
             }
             k += 1;
             let nearest = centers.iter().map(|c| c.distance(place)).fold(f64::INFINITY, f64::min);
-            assert!(nearest <= 3.0, "{place} is {nearest} from the nearest pass");
+            assert!(nearest <= 3.001, "{place} is {nearest} from the nearest pass");
         }
     }
     assert!(k > 3000, "places examined: {k}");

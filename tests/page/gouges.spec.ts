@@ -126,3 +126,20 @@ test("the choice is kept over a reload", async ({ page }) => {
   await page.reload();
   await expect(page.getByRole("radio", { name: "Avoid" })).toBeChecked();
 });
+
+test("a pocket is cleared in passes where gouges are avoided", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open("rooms");
+  const passes = page.getByRole("group", { name: "Passes" });
+  await choose(page, "Report");
+  await expect(passes).toBeHidden();
+  await choose(page, "Avoid");
+  const once = (await g41.output.inputValue()).length;
+  await passes.getByRole("radio", { name: "Clear the pocket" }).check();
+  await expect.poll(async () => (await g41.output.inputValue()).length).toBeGreaterThan(2 * once);
+  const many = (await g41.output.inputValue()).length;
+  await page.getByLabel("Stepover").first().fill("6");
+  await page.getByLabel("Stepover").first().press("Enter");
+  await expect.poll(async () => (await g41.output.inputValue()).length).toBeLessThan(many);
+  expect(g41.errors).toEqual([]);
+});

@@ -47,7 +47,8 @@ export function autosave(store: Store): void {
 }
 
 /** Settings whose every value is one that the controls could have given. */
-function valid({ radius, corner, spline, tolerance, gouge }: Partial<Settings>): Settings {
+function valid(saved: Partial<Settings>): Settings {
+  const { radius, corner, spline, tolerance, gouge, passes, stepover } = saved;
   const number = (value: unknown, otherwise: number) =>
     typeof value === "number" && Number.isFinite(value) && value >= 0 ? value : otherwise;
   return {
@@ -56,5 +57,7 @@ function valid({ radius, corner, spline, tolerance, gouge }: Partial<Settings>):
     corner: corner === "arc" ? "arc" : "linear",
     spline: spline === "type-points" ? "type-points" : "exact",
     gouge: gouge === "avoid" || gouge === "stop" ? gouge : "report",
+    passes: passes === "all" ? "all" : "one",
+    stepover: Math.max(0.01, number(stepover, INITIAL_SETTINGS.stepover)),
   };
 }

@@ -1,6 +1,7 @@
 // The worker: reads a program, compensates it and sends the geometry back without copying it.
 
 import init, { compensate, parseProgram, RECORD_STRIDE } from "g41";
+import { compensationOptions } from "./parameters";
 import type { Lines, Reply, Request, Result } from "./result";
 
 /** How far the polylines on the screen may be from their curves [mm]. */
@@ -30,7 +31,7 @@ function compute({ id, text, settings }: Request): Result {
   const { tolerance } = settings;
   const program = parseProgram(text);
   try {
-    const path = compensate(program, settings);
+    const path = compensate(program, compensationOptions(settings));
     try {
       const written = path.emit({ tolerance });
       return {

@@ -2,7 +2,7 @@
 
 import init, { compensate, parseProgram, RECORD_STRIDE } from "g41";
 import { type Deviation, deviationOf, measureOf } from "./deviation";
-import type { Settings } from "./parameters";
+import { compensationOptions, type Settings } from "./parameters";
 
 /** What is asked of it. */
 export interface DeviationRequest {
@@ -51,7 +51,7 @@ function deviations({ text, settings }: DeviationRequest): Deviations {
     );
     programmed[Symbol.dispose]();
     const along = (spline: Settings["spline"]) => {
-      const path = compensate(program, { ...settings, spline, gouge: "report" });
+      const path = compensate(program, compensationOptions({ ...settings, spline, gouge: "report" }));
       const records = { numbers: path.records(), stride: RECORD_STRIDE };
       path[Symbol.dispose]();
       return deviationOf(records, measure, radiusAt);

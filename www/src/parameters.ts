@@ -10,12 +10,16 @@ export interface Settings {
   readonly tolerance: number;
   /** What becomes of places where the tool does not fit. */
   readonly gouge: "report" | "avoid" | "stop";
+  /** Along the contour only, or as many beside each other as a pocket has room for. */
+  readonly passes: "one" | "all";
+  /** Distance from one pass to the next [mm]. */
+  readonly stepover: number;
 }
 
 /** A parameter that is a number. */
 export interface NumberParameter {
   readonly kind: "number";
-  readonly key: "radius" | "tolerance";
+  readonly key: "radius" | "stepover" | "tolerance";
   readonly label: string;
   readonly unit: string;
   readonly min: number;
@@ -24,16 +28,19 @@ export interface NumberParameter {
   /** The range of the slider; without it there is none. */
   readonly slider?: { readonly min: number; readonly max: number; readonly step: number };
   readonly hint: string;
+  /** Whether it matters; it does where this is left out. */
+  readonly matters?: (settings: Settings) => boolean;
 }
 
 /** A parameter that is one of a few words. */
 export interface ChoiceParameter {
   readonly kind: "choice";
   /** The side is a word of the program, all else are settings. */
-  readonly key: "side" | "corner" | "spline" | "gouge";
+  readonly key: "side" | "corner" | "spline" | "gouge" | "passes";
   readonly label: string;
   readonly choices: readonly { value: string; label: string; detail?: string }[];
   readonly hint: string;
+  readonly matters?: (settings: Settings) => boolean;
 }
 
 /** One row of the table. */
@@ -46,6 +53,8 @@ export const INITIAL_SETTINGS: Settings = {
   spline: "exact",
   tolerance: 0.001,
   gouge: "report",
+  passes: "one",
+  stepover: 2,
 };
 
 /** The table of parameters. */
@@ -103,6 +112,29 @@ export const PARAMETERS: readonly Parameter[] = [
     hint: "Where the tool does not fit. Report: it cuts too deep, and that is said. Avoid: it keeps clear, and what it leaves is shown. Stop: there is no path",
   },
   {
+    kind: "choice",
+    key: "passes",
+    label: "Passes",
+    choices: [
+      { value: "one", label: "One" },
+      { value: "all", label: "Clear the pocket" },
+    ],
+    hint: "One: along the contour. Clear the pocket: more of them inside, until there is no room left",
+    matters: ({ gouge }) => gouge === "avoid",
+  },
+  {
+    kind: "number",
+    key: "stepover",
+    label: "Stepover",
+    unit: "mm",
+    min: 0.01,
+    max: 1000,
+    step: 0.01,
+    slider: { min: 0.1, max: 20, step: 0.1 },
+    hint: "Distance from one pass to the next",
+    matters: ({ gouge, passes }) => gouge === "avoid" && passes === "all",
+  },
+  {
     kind: "number",
     key: "tolerance",
     label: "Tolerance",
@@ -113,6 +145,13 @@ export const PARAMETERS: readonly Parameter[] = [
     hint: "How far the tool path may be from the true equidistant",
   },
 ];
+
+/** The settings as `compensate` takes them. */
+export function compensationOptions({ passes, stepover, ...rest }: Settings) {
+  return rest.gouge === "avoid" && passes === "all"
+    ? { ...rest, passes: "all" as const, stepover }
+    : rest;
+}
 
 /** A number within the range of its parameter; undefined for what is not a number. */
 export function clampParameter(parameter: NumberParameter, value: number): number | undefined {

@@ -2,7 +2,13 @@
 
 import { setSettings, setSide } from "../actions";
 import { format } from "../expression";
-import { clampParameter, type NumberParameter, PARAMETERS, type Settings } from "../parameters";
+import {
+  type ChoiceParameter,
+  clampParameter,
+  type NumberParameter,
+  PARAMETERS,
+  type Settings,
+} from "../parameters";
 import type { Store } from "../state";
 import { Choice, element } from "./elements";
 import { NumberField } from "./number-field";
@@ -16,16 +22,13 @@ export function parametersPanel(form: HTMLElement, store: Store): void {
       title: parameter.hint,
     });
     form.append(row);
-    if (parameter.kind === "number") return numberRow(row, parameter, store);
-    const { key, label, choices } = parameter;
-    const choice = new Choice(key, label, choices, (value) => {
-      if (key === "side") setSide(store, value as "left" | "right");
-      else setSettings(store, { [key]: value } as Partial<Settings>);
-    });
-    row.append(choice.root);
+    const showValue =
+      parameter.kind === "number"
+        ? numberRow(row, parameter, store)
+        : choiceRow(row, parameter, store);
     return () => {
-      const side = store.document.part.contours[0]?.side ?? store.state.result?.contours[0]?.side;
-      choice.show(key === "side" ? side : store.document.settings[key]);
+      row.hidden = parameter.matters?.(store.document.settings) === false;
+      showValue();
     };
   });
   // The radius of a program that states its own cannot be chosen here.
@@ -41,6 +44,19 @@ export function parametersPanel(form: HTMLElement, store: Store): void {
     if (state.history !== before.history || state.result !== before.result) show();
   });
   show();
+}
+
+function choiceRow(row: HTMLElement, parameter: ChoiceParameter, store: Store): () => void {
+  const { key, label, choices } = parameter;
+  const choice = new Choice(key, label, choices, (value) => {
+    if (key === "side") setSide(store, value as "left" | "right");
+    else setSettings(store, { [key]: value } as Partial<Settings>);
+  });
+  row.append(choice.root);
+  return () => {
+    const side = store.document.part.contours[0]?.side ?? store.state.result?.contours[0]?.side;
+    choice.show(key === "side" ? side : store.document.settings[key]);
+  };
 }
 
 function numberRow(row: HTMLElement, parameter: NumberParameter, store: Store): () => void {
