@@ -84,11 +84,27 @@ impl Octants {
         (four & (four >> 2)) & 0xff != 0 || self.0 == 0
     }
 
-    /// The box of the unit vectors a quarter turn to the left of these directions.
+    /// The set with all directions that a curve takes on its way from one of these to another.
+    fn filled(self) -> Self {
+        for first in 0..8 {
+            let set = self.0.rotate_right(first);
+            if set & 1 != 0 && set < 16 {
+                let highest = 7 - set.leading_zeros();
+                let all = (2_u8 << highest) - 1;
+                return Self(all.rotate_left(first));
+            }
+        }
+        // They do not fit into half a circle, so the way from one to another may be any.
+        Self::ALL
+    }
+
+    /// The box of the unit vectors a quarter turn to the left of these directions, and of those
+    /// between them.
     pub(super) fn left_normals(self) -> Bounds {
         let mut bounds = Bounds::EMPTY;
+        let all = self.filled();
         for (k, pair) in RIMS.windows(2).enumerate() {
-            if self.0 & (1 << k) != 0 {
+            if all.0 & (1 << k) != 0 {
                 bounds.add(pair[0].perp());
                 bounds.add(pair[1].perp());
             }
@@ -141,6 +157,27 @@ mod tests {
             }
         }
         assert!(!Octants(0b0001_0001).is_narrow(), "opposite directions");
+    }
+
+    #[test]
+    fn the_way_between_two_directions_belongs_to_both() {
+        for first in 0..8_u32 {
+            for width in 1..=8_u32 {
+                // The two ends of a fan, without what is between them.
+                let ends = Octants(1_u8.rotate_left(first) | 1_u8.rotate_left(first + width - 1));
+                let within = |k: u32| (k + 8 - first) % 8 < width;
+                // A fan of more than half a circle may be the rest of it as well.
+                let all = width > 4 && width < 6;
+                let expected = (0..8)
+                    .filter(|&k| match width {
+                        1..=4 => within(k),
+                        6..=8 => !within(k) || k == first || k == (first + width - 1) % 8,
+                        _ => all,
+                    })
+                    .fold(0_u8, |set, k| set | 1 << k);
+                assert_eq!(ends.filled(), Octants(expected), "{width} from {first}");
+            }
+        }
     }
 
     #[test]
