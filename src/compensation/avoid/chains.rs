@@ -5,6 +5,7 @@
 //! stretches close up to loops, or to one path from the start to the end of an open contour.
 
 use super::cuts::{Stretch, following};
+use super::sieve::Clearance;
 use super::units::Workpiece;
 use crate::geometry::sort_long;
 
@@ -21,8 +22,13 @@ pub(super) struct Chain {
 const NONE: usize = usize::MAX;
 
 /// The chains of clear `stretches`, ordered by where they begin; gaps of up to `gap` [mm] are none.
-pub(super) fn chains(work: &Workpiece, stretches: &[Stretch], gap: f64) -> Vec<Chain> {
-    let (next, has_previous) = links(work, stretches, gap);
+pub(super) fn chains(
+    work: &Workpiece,
+    stretches: &[Stretch],
+    gap: f64,
+    clearance: &mut Clearance,
+) -> Vec<Chain> {
+    let (next, has_previous) = links(work, stretches, gap, clearance);
     let mut used = vec![false; stretches.len()];
     let mut chains = Vec::new();
     // Open chains from their starts; what is left are loops.
@@ -47,7 +53,12 @@ pub(super) fn chains(work: &Workpiece, stretches: &[Stretch], gap: f64) -> Vec<C
 }
 
 /// For each stretch the one that follows it, and whether it follows one.
-fn links(work: &Workpiece, stretches: &[Stretch], gap: f64) -> (Vec<usize>, Vec<bool>) {
+fn links(
+    work: &Workpiece,
+    stretches: &[Stretch],
+    gap: f64,
+    clearance: &mut Clearance,
+) -> (Vec<usize>, Vec<bool>) {
     let mut next: Vec<usize> =
         (0..stretches.len()).map(|k| following(work, stretches, k).unwrap_or(NONE)).collect();
     let mut has_previous = vec![false; stretches.len()];
@@ -72,16 +83,18 @@ fn links(work: &Workpiece, stretches: &[Stretch], gap: f64) -> (Vec<usize>, Vec<
             }
         }
     }
-    bridge(work, stretches, gap, &mut next, &mut has_previous);
+    bridge(work, stretches, gap, clearance, &mut next, &mut has_previous);
     (next, has_previous)
 }
 
-/// Links ends to starts that are no farther than `gap` [mm] from them: where a loop is too small for
-/// its crossing to be told.
+/// Links ends to starts that are no farther than `gap` [mm] from them, where the way there is clear
+/// but for a part of the tolerance: where a loop is too small, or two paths cross at too small an
+/// angle, for the crossing to be told.
 fn bridge(
     work: &Workpiece,
     stretches: &[Stretch],
     gap: f64,
+    clearance: &mut Clearance,
     next: &mut [usize],
     has_previous: &mut [bool],
 ) {
@@ -101,8 +114,13 @@ fn bridge(
         let from = starting.partition_point(|&(x, _)| x < end.x - gap);
         let mut nearest = (gap, NONE);
         for &(_, to) in starting[from..].iter().take_while(|&&(x, _)| x <= end.x + gap) {
-            let off = point(to, stretches[to].from).distance(end);
-            if off <= nearest.0 && !has_previous[to] && to != k {
+            let start = point(to, stretches[to].from);
+            let off = start.distance(end);
+            let mut is_clear = || {
+                let place = |k: u32| end.lerp(start, 0.25 * f64::from(k));
+                (0..=4).all(|k| clearance.is_clear_except(place(k), [0, 0]))
+            };
+            if off <= nearest.0 && !has_previous[to] && to != k && is_clear() {
                 nearest = (off, to);
             }
         }

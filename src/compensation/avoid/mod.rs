@@ -53,9 +53,12 @@ const CLEAR_SHARE: f64 = 0.22;
 /// thousandth of it in area.
 const OUTLINE: f64 = 1e-4;
 
-/// Longest dead end, as a multiple of `√(r tolerance)`: on a chord of 2.8 of it, a tool cuts as deep
+/// Longest dead end, and longest bridge, as a multiple of `√(r tolerance)`: on a chord of 2.8 of it, a tool cuts as deep
 /// as the tolerance.
 const DEAD_END: f64 = 4.0;
+
+/// Part of the tolerance by which a bridge between two stretches may be too near.
+const BRIDGE_SHARE: f64 = 0.9;
 
 /// The slack where there are only lines and arcs, whose offsets are exact [mm].
 const EXACT: f64 = 1e-7;
@@ -152,8 +155,10 @@ fn clear_jobs(
     let survey =
         Survey { work: &work, tree: &tree, marks: &marks, fates: &fates, radius, tolerance: finer };
     let mut stretches = survey.clear_stretches(&mut clearance);
-    remove_dead_ends(&work, &mut stretches, DEAD_END * (radius * tolerance).sqrt());
-    let chains = chains(&work, &stretches, CLEAR_SHARE * tolerance);
+    let short = DEAD_END * (radius * tolerance).sqrt();
+    remove_dead_ends(&work, &mut stretches, short);
+    let mut bridges = Clearance::new(&work, &tree, radius - BRIDGE_SHARE * tolerance);
+    let chains = chains(&work, &stretches, short, &mut bridges);
     let mut stitcher = Stitcher {
         work: &work,
         stretches: &stretches,
