@@ -29,7 +29,10 @@ pub(super) fn pocket(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath {
     };
     let mut path = avoid_all(jobs, options);
     add_loops(&mut path, 0, 0);
-    if matches!(options.passes, Passes::All { .. }) && !jobs.iter().any(is_pocket) {
+    // The tool is led to and from the first pass only.
+    let inner: Vec<(Contour, Tool)> =
+        jobs.iter().map(|&(contour, tool)| (contour.without_leads(), tool)).collect();
+    if matches!(options.passes, Passes::All { .. }) && !inner.iter().any(is_pocket) {
         path.diagnostics.push(
             Diagnostic::error("no-pocket", "passes without end: no contour closes round the tool")
                 .with_point(jobs[0].0.start())
@@ -42,11 +45,15 @@ pub(super) fn pocket(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath {
         if path.moves.is_empty() || stepover <= 0.0 {
             break;
         }
-        let wider = |&(contour, tool): &(_, Tool)| {
+        let wider = |contour, tool: &Tool| {
             let radius = tool.radius() + f64::from(pass) * stepover;
             Some((contour, Tool::new(radius, tool.side())?))
         };
-        let Some(wider) = jobs.iter().map(wider).collect::<Option<Vec<_>>>() else { break };
+        let Some(wider) =
+            inner.iter().map(|(contour, tool)| wider(contour, tool)).collect::<Option<Vec<_>>>()
+        else {
+            break;
+        };
         let mut next = avoid_all(&wider, options);
         if next.moves.is_empty() {
             break;
@@ -65,7 +72,7 @@ pub(super) fn pocket(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath {
 }
 
 /// Whether a contour closes round the tool beside it.
-fn is_pocket(&(contour, tool): &(&Contour, Tool)) -> bool {
+fn is_pocket((contour, tool): &(Contour, Tool)) -> bool {
     let mut area = 0.0;
     let origin = contour.start();
     let mut last = origin;

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::diagnostic::Origin;
-use crate::geometry::{Bounds, Curve};
+use crate::geometry::{Bounds, Curve, MIN_LENGTH};
 
 /// What a segment carries besides its curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -123,6 +123,20 @@ impl Contour {
     #[must_use]
     pub fn start(&self) -> DVec2 {
         self.segments[0].curve.start()
+    }
+
+    /// The same segments without leads, and without what happens between them; closed if they end
+    /// where they start.
+    #[must_use]
+    pub fn without_leads(&self) -> Self {
+        let meets = self.end().distance(self.start()) <= MIN_LENGTH;
+        Self {
+            segments: self.segments.clone(),
+            closed: self.closed || meets,
+            lead_in: None,
+            lead_out: None,
+            events: Vec::new(),
+        }
     }
 
     /// Its last point [mm].
