@@ -168,8 +168,9 @@ impl Judge<'_> {
             return;
         }
         let is_cubic = matches!(cell.part.curve, MoveCurve::Cubic(_));
+        // A path may have moves of a nanometre, and cells as short would be without number.
         let halves = if is_cubic && cell.part.reach > COARSER * part.reach {
-            cell.part.halves()
+            self.halves(&cell.part)
         } else {
             None
         };
@@ -213,7 +214,7 @@ impl Judge<'_> {
         self.cells.truncate(from);
     }
 
-    /// The halves of a stretch; none where it is so short that samples tell all.
+    /// The halves of a part; none where it is so short that samples tell all.
     ///
     /// The second derivative of the distance along a path of curvature κ is at most κ + 1/d, so
     /// between samples it dips by no more than the square of their distance times that.
