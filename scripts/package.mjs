@@ -14,6 +14,7 @@ import { gzipSync } from "node:zlib";
 import { root, run, script } from "./command.mjs";
 import { locked, wasmTarget, xtask } from "./setup.mjs";
 import { unlessFresh } from "./stamp.mjs";
+import { withoutPanicMessages } from "./trim.mjs";
 
 const compiled = `target/${wasmTarget}/wasm/g41.wasm`;
 const shipped = "dist/g41_bg.wasm";
@@ -50,7 +51,13 @@ export async function buildPackage() {
     ...["build", ...locked, "--quiet", "--profile", "wasm", "--lib"],
     ...["--target", wasmTarget, "--features", "js"],
   ]);
-  const inputs = [compiled, "src/js", "scripts/package.mjs", "package-lock.json"];
+  const inputs = [
+    compiled,
+    "src/js",
+    "scripts/package.mjs",
+    "scripts/trim.mjs",
+    "package-lock.json",
+  ];
   await unlessFresh("target/package.stamp", { inputs, outputs: [shipped] }, assemble);
   return measure();
 }
@@ -71,6 +78,7 @@ async function assemble() {
     renameSync(join(fresh, name), join(root, glueTypes, name));
   }
   const wasm = join(fresh, "g41_bg.wasm");
+  writeFileSync(wasm, withoutPanicMessages(readFileSync(wasm)));
   await run(process.execPath, [
     ...[script("binaryen", "wasm-opt"), ...optimizations, wasm, "--output", wasm],
     ...wasmFeatures.map((feature) => `--enable-${feature}`),

@@ -6,6 +6,7 @@
 
 use super::cuts::{Stretch, following};
 use super::units::Workpiece;
+use crate::geometry::sort_long;
 
 /// Removes dead ends of up to `longest` [mm].
 pub(super) fn remove_dead_ends(work: &Workpiece, stretches: &mut Vec<Stretch>, longest: f64) {
@@ -25,8 +26,9 @@ pub(super) fn remove_dead_ends(work: &Workpiece, stretches: &mut Vec<Stretch>, l
     if starts.is_empty() {
         return;
     }
-    starts.sort_unstable();
-    ends.sort_unstable();
+    for list in [&mut starts, &mut ends] {
+        sort_long(list, |a, b| a < b);
+    }
     let mut dead = vec![false; count];
     for k in 0..count {
         let stretch = &stretches[k];
