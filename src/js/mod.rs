@@ -39,6 +39,11 @@ pub use tool_path::ToolPathHandle;
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
+/// Takes less code than the standard library's; two-level segregated fit, in constant time.
+#[cfg(target_arch = "wasm32")]
+#[global_allocator]
+static ALLOCATOR: rlsf::SmallGlobalTlsf = rlsf::SmallGlobalTlsf::new();
+
 /// The version of the package.
 #[wasm_bindgen]
 #[must_use]
