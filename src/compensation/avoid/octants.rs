@@ -89,7 +89,7 @@ impl Octants {
         for first in 0..8 {
             let set = self.0.rotate_right(first);
             if set & 1 != 0 && set < 16 {
-                let highest = 7 - set.leading_zeros();
+                let highest = set.ilog2();
                 let all = (2_u8 << highest) - 1;
                 return Self(all.rotate_left(first));
             }
