@@ -1,5 +1,7 @@
 //! Clearing a pocket: paths beside each other, each farther from the contour than the one before.
 //!
+//! On the way from any place to the wall nearest to it there is a pass within the stepover, so with a
+//! stepover of at most the tool radius nothing within reach is left; with a wider one ridges may be.
 //! Every pass is offset from the contour itself, so errors do not add up. A pass may fall into
 //! several loops; each lies inside one loop of the pass before.
 
@@ -39,6 +41,12 @@ pub(super) fn pocket(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath {
                 .with_hint("ask for a number of passes, or close the contour"),
         );
         return path;
+    }
+    if stepover > jobs[0].1.radius() {
+        path.diagnostics.push(
+            Diagnostic::info("wide-stepover", "a stepover above the tool radius may leave ridges")
+                .with_point(jobs[0].0.start()),
+        );
     }
     let mut before = 0;
     for pass in 1..count {

@@ -306,6 +306,17 @@ export interface CompensationOptions {
    */
   gouge?: "report" | "avoid" | "stop";
   /**
+   * How many paths beside each other, with `gouge: "avoid"`: each is farther from the contour by
+   * `stepover`, as far as there is room; `"all"` clears a pocket, a closed contour round the tool, with
+   * its islands. `loops` tells how the passes lie in each other. Default 1.
+   */
+  passes?: number | "all";
+  /**
+   * Distance from one pass to the next [mm]; required where there are several. Up to the radius,
+   * nothing within reach is left between them.
+   */
+  stepover?: number;
+  /**
    * Turns that are not a corner, up to this angle [rad]; `"auto"` takes those whose gap is at most
    * a tenth of the tolerance. Default `"auto"`.
    */

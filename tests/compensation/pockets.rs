@@ -84,23 +84,23 @@ fn an_island_is_gone_round_in_every_pass() {
     // A round island, run clockwise so that the tool is outside it.
     let halves = [arc(p(-8.0, 0.0), p(0.0, 0.0), true), arc(p(8.0, 0.0), p(0.0, 0.0), true)];
     let island = Sketch::closed(p(8.0, 0.0), halves).contour();
-    let path = cleared(&[&pocket, &island], 3.0, Passes::All { stepover: 5.0 });
+    let path = cleared(&[&pocket, &island], 3.0, Passes::All { stepover: 3.0 });
     for contour in [&pocket, &island] {
         assert_eq!(check(contour, &path, 3.0, 1e-3), [], "the judge");
     }
-    // Every place of the pocket is within the tool somewhere: no ridge is as wide as the stepover.
+    // With a stepover of the radius everything within reach is cut: the nearest pass lies on the way
+    // to the nearest wall.
     let centers = samples(&path, 300);
     let mut k = 0;
     for x in -36..=36 {
         for y in -36..=36 {
             let place = p(f64::from(x), f64::from(y));
-            // Within reach of the island, and away from the corners.
-            if place.length() < 8.5 || place.abs().min_element() > 30.0 {
+            if place.length() < 11.0 {
                 continue;
             }
             k += 1;
             let nearest = centers.iter().map(|c| c.distance(place)).fold(f64::INFINITY, f64::min);
-            assert!(nearest <= 3.01, "{place} is {nearest} from the nearest pass");
+            assert!(nearest <= 3.05, "{place} is {nearest} from the nearest pass");
         }
     }
     assert!(k > 3000, "places examined: {k}");

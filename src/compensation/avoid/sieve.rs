@@ -203,19 +203,15 @@ pub(super) fn sieve(
 
 /// Whether a piece of the offset runs against its span: beyond a cusp. There the distance from
 /// the contour is greatest where the tool should touch it, so every place is too near; a crossing
-/// there is none that the tool could take.
+/// there is none that the tool could take. Of a span that turns far it is not told.
 fn runs_back(work: &Workpiece, unit: usize, curve: &MoveCurve) -> bool {
     if work.units[unit].kind != Kind::Segment {
         return false;
     }
     match (work.curve(unit), curve) {
         (Some(MoveCurve::Cubic(span)), MoveCurve::Cubic(piece)) => {
-            let along = if Octants::of_cubic(&span).is_slender() {
-                span.end() - span.start()
-            } else {
-                span.tangent(span.nearest(piece.point(0.5)).t)
-            };
-            (piece.end() - piece.start()).dot(along) < 0.0
+            let along = span.end() - span.start();
+            Octants::of_cubic(&span).is_slender() && (piece.end() - piece.start()).dot(along) < 0.0
         }
         (Some(MoveCurve::Arc(arc)), MoveCurve::Arc(piece)) => {
             (arc.start() - arc.center()).dot(piece.start() - piece.center()) < 0.0

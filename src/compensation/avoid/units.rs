@@ -233,7 +233,9 @@ pub(super) fn index(value: usize) -> u32 {
 
 /// How near the offset of a span is made where it is going to be cut or dropped [mm].
 pub(super) fn rough(cubic: &Cubic, tolerance: f64) -> f64 {
-    tolerance.max(ROUGH * cubic.hull_length())
+    // Of a span that turns far it cannot be told which pieces run back and are dropped anyway.
+    let slender = Octants::of_cubic(cubic).is_slender();
+    if slender { tolerance.max(ROUGH * cubic.hull_length()) } else { tolerance }
 }
 
 fn spans_of(segment: &Segment) -> usize {
