@@ -14,7 +14,6 @@ import { gzipSync } from "node:zlib";
 import { root, run, script } from "./command.mjs";
 import { locked, wasmTarget, xtask } from "./setup.mjs";
 import { unlessFresh } from "./stamp.mjs";
-import { withoutPanicMessages } from "./trim.mjs";
 
 const compiled = `target/${wasmTarget}/wasm/g41.wasm`;
 const shipped = "dist/g41_bg.wasm";
@@ -78,6 +77,8 @@ async function assemble() {
     renameSync(join(fresh, name), join(root, glueTypes, name));
   }
   const wasm = join(fresh, "g41_bg.wasm");
+  // It needs an npm package, which a fresh clone does not have before its setup.
+  const { withoutPanicMessages } = await import("./trim.mjs");
   writeFileSync(wasm, withoutPanicMessages(readFileSync(wasm)));
   await run(process.execPath, [
     ...[script("binaryen", "wasm-opt"), ...optimizations, wasm, "--output", wasm],
