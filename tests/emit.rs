@@ -245,7 +245,7 @@ fn pieces_apart_are_not_crossed_where_no_height_is_known() {
     let expected = ["M3", "G0 X0 Y0", "G1 Z-2 F600", "X5", "M8", "M30"];
     assert_eq!(blocks(&written.text), expected, "the moves end before the jump, the words do not");
     let [found] = &written.diagnostics[..] else { panic!("one finding: {written:?}") };
-    assert_eq!((found.code, found.severity), ("no-clearance", Severity::Error));
+    assert_eq!((found.code, found.severity), ("no-clearance", Severity::Error), "what it says");
     assert_eq!(found.at, Some(DVec2::new(20.0, 0.0)), "where it would go");
     assert!(found.message.contains("from X5 Y0 to X20 Y0"), "{}", found.message);
 }

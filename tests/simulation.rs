@@ -254,7 +254,7 @@ fn one_gouge_stops_the_whole_program() {
     };
     let stopped = with(4.0, GougePolicy::Stop);
     assert!(stopped.moves.is_empty() && stopped.words.is_empty(), "{stopped:?}");
-    assert_eq!(stopped.diagnostics.last().map(|d| d.code), Some("stopped"));
+    assert_eq!(stopped.diagnostics.last().map(|d| d.code), Some("stopped"), "what it says");
     assert!(!with(4.0, GougePolicy::Report).moves.is_empty(), "reported only");
     assert_eq!(with(2.0, GougePolicy::Stop), with(2.0, GougePolicy::Report), "a tool that fits");
 }
@@ -294,7 +294,7 @@ fn a_room_behind_a_corridor_is_crossed_to_above_the_part() {
     let options =
         Options { gouge: GougePolicy::Avoid, corner: CornerStyle::Arc, ..Options::default() };
     let path = compensate_program(&read, &Tools::all(4.0), &options);
-    assert_eq!(check_program(&read, &path, &Tools::all(4.0), 1e-3), []);
+    assert_eq!(check_program(&read, &path, &Tools::all(4.0), 1e-3), [], "the judge");
     let written = emit(&path, &EmitOptions::default());
     assert_eq!(written.diagnostics, [], "{}", written.text);
     // Down twice as the program goes down, up between.

@@ -19,6 +19,7 @@ use crate::common::random::Random;
 /// One contour with the tool that is to go along it.
 #[derive(Debug, Clone)]
 pub(crate) struct Case {
+    #[cfg_attr(target_arch = "wasm32", expect(dead_code, reason = "for tables of native runs"))]
     pub(crate) family: &'static str,
     pub(crate) sketch: Sketch,
     pub(crate) radius: f64,

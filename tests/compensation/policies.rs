@@ -56,7 +56,7 @@ fn stopping_leaves_no_path_but_says_where_and_how_deep() {
     assert!(path.moves.is_empty() && path.transitions.is_empty(), "{:?}", path.moves);
     let deepest = path.gouges.iter().map(|gouge| gouge.depth).fold(0.0, f64::max);
     let last = path.diagnostics.last().expect("it says why");
-    assert_eq!((last.code, last.severity), ("stopped", Severity::Error));
+    assert_eq!((last.code, last.severity), ("stopped", Severity::Error), "what it says");
     near(last.depth.expect("how deep"), deepest, 0.0, "depth");
     assert!(last.at.is_some() && last.origin.is_some() && !last.segments.is_empty(), "{last:?}");
 }
@@ -65,6 +65,6 @@ fn stopping_leaves_no_path_but_says_where_and_how_deep() {
 fn stopping_has_nothing_to_stop_where_nothing_is_gouged() {
     let wall = wall();
     let path = with(GougePolicy::Stop, &[&wall]);
-    assert_eq!(path, with(GougePolicy::Report, &[&wall]));
-    assert_eq!(path.moves.len(), 1);
+    assert_eq!(path, with(GougePolicy::Report, &[&wall]), "the path as reported");
+    assert_eq!(path.moves.len(), 1, "one move along the wall");
 }

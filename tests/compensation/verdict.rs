@@ -38,6 +38,7 @@ pub(crate) enum Fault {
 
 impl Fault {
     /// One word for a table.
+    #[cfg(not(target_arch = "wasm32"))]
     pub(crate) fn name(&self) -> &'static str {
         match self {
             Self::Judged { .. } => "judged",

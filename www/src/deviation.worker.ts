@@ -51,7 +51,10 @@ function deviations({ text, settings }: DeviationRequest): Deviations {
     );
     programmed[Symbol.dispose]();
     const along = (spline: Settings["spline"]) => {
-      const path = compensate(program, compensationOptions({ ...settings, spline, gouge: "report" }));
+      const path = compensate(
+        program,
+        compensationOptions({ ...settings, spline, gouge: "report" }),
+      );
       const records = { numbers: path.records(), stride: RECORD_STRIDE };
       path[Symbol.dispose]();
       return deviationOf(records, measure, radiusAt);
