@@ -158,7 +158,8 @@ fn clear_jobs(
     let short = DEAD_END * (radius * tolerance).sqrt();
     remove_dead_ends(&work, &mut stretches, short);
     let mut bridges = Clearance::new(&work, &tree, radius - BRIDGE_SHARE * tolerance);
-    let chains = chains(&work, &stretches, short, &mut bridges);
+    // Short enough for a few places to tell whether a bridge is clear.
+    let chains = chains(&work, &stretches, short.min(0.25 * radius), &mut bridges);
     let mut stitcher = Stitcher {
         work: &work,
         stretches: &stretches,
