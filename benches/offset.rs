@@ -5,7 +5,6 @@
 //! Competitors take turns, and medians are printed, so that a machine's moods fall on all alike.
 #![cfg_attr(target_arch = "wasm32", no_main)]
 
-use std::f64::consts::TAU;
 use std::hint::black_box;
 
 use g41::compensation::{Options, compensate};
@@ -15,6 +14,11 @@ use g41::geometry::{Cubic, Curve, Parameter, Spline, SplineEnds};
 use glam::DVec2;
 use kurbo::{BezPath, CubicBez, Point};
 
+#[path = "../tests/common/curves.rs"]
+mod curves;
+
+use curves::{spiral, wave};
+
 /// Tool radius [mm]: no bend of the curves is tighter, so neither side has cusps to deal with.
 const RADIUS: f64 = 5.0;
 
@@ -22,31 +26,6 @@ const TOLERANCES: [f64; 2] = [1e-3, 1e-6];
 
 /// Type points handled by each competitor in all, so that short curves repeat more often.
 const WORK: usize = 400_000;
-
-/// A closed curve round a circle, type points about 5 mm apart: `k = max(3, n / 20)` waves of 8 mm.
-fn wave(n: usize) -> Vec<DVec2> {
-    let (k, middle) = ((n / 20).max(3) as f64, 5.0 * n as f64 / TAU);
-    let at = |i: usize| {
-        let angle = TAU * i as f64 / n as f64;
-        DVec2::from_angle(angle) * (middle + 8.0 * (k * angle).sin())
-    };
-    let mut points: Vec<DVec2> = (0..n).map(at).collect();
-    points.push(points[0]);
-    points
-}
-
-/// An open spiral whose turns are 40 mm apart, type points about 5 mm apart.
-fn spiral(n: usize) -> Vec<DVec2> {
-    let growth = 40.0 / TAU;
-    let mut angle = TAU;
-    let mut points = Vec::with_capacity(n);
-    for _ in 0..n {
-        let reach = growth * angle;
-        points.push(DVec2::from_angle(angle) * reach);
-        angle += 5.0 / reach.hypot(growth);
-    }
-    points
-}
 
 fn contour(points: &[DVec2], closed: bool) -> Contour {
     let mut builder = ContourBuilder::new(points[0]);
