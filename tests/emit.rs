@@ -5,7 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use std::f64::consts::TAU;
 
 use g41::compensation::Options;
-use g41::contour::{AuxiliaryWords, Move, MoveCurve, Role, ToolPath};
+use g41::contour::{AuxiliaryWords, Move, MoveCurve, Plane, Role, ToolPath};
 use g41::diagnostic::{Origin, Severity};
 use g41::geometry::{Arc, Cubic, Line};
 use g41::program::{Dialect, EmitOptions, Emitted, Program, emit, interpret};
@@ -34,8 +34,16 @@ fn block(line: u32) -> Origin {
 }
 
 /// A free feed move at 10 mm/s.
-fn feed_move(curve: MoveCurve, z: [f64; 2]) -> Move {
-    Move { curve, role: Role::Free, rapid: false, feed: Some(10.0), z, origin: block(1) }
+fn feed_move(curve: MoveCurve, heights: [f64; 2]) -> Move {
+    Move {
+        curve,
+        role: Role::Free,
+        rapid: false,
+        feed: Some(10.0),
+        plane: Plane::Xy,
+        heights,
+        origin: block(1),
+    }
 }
 
 fn arc(start: [f64; 2], center: [f64; 2], sweep: f64) -> Arc {
@@ -164,7 +172,7 @@ fn a_plain_program_comes_back_as_it_was() {
         for (a, b) in again.moves.iter().zip(&path.moves) {
             assert!(a.curve.end().distance(b.curve.end()) < 1e-4, "{a:?}\n{b:?}");
             assert!(a.curve.point(0.5).distance(b.curve.point(0.5)) < 2e-4, "{a:?}\n{b:?}");
-            assert!((a.z[1] - b.z[1]).abs() < 1e-4, "{a:?}\n{b:?}");
+            assert!((a.heights[1] - b.heights[1]).abs() < 1e-4, "{a:?}\n{b:?}");
             assert_eq!(a.rapid, b.rapid, "{a:?}\n{b:?}");
             let feeds = (a.feed.unwrap_or(0.0), b.feed.unwrap_or(0.0));
             assert!((feeds.0 - feeds.1).abs() < 1e-4, "{a:?}\n{b:?}");

@@ -59,7 +59,10 @@ fn every_program_gives_a_path_without_gaps_and_without_findings() {
                 let (a, b) = (&pair[0], &pair[1]);
                 let gap = a.curve.end().distance(b.curve.start());
                 assert!(gap < 1e-9, "radius {radius}: {gap} mm between\n{a:?}\n{b:?}");
-                assert!((a.z[1] - b.z[0]).abs() < 1e-9, "radius {radius}:\n{a:?}\n{b:?}");
+                assert!(
+                    (a.heights[1] - b.heights[0]).abs() < 1e-9,
+                    "radius {radius}:\n{a:?}\n{b:?}"
+                );
             }
         }
     }
@@ -74,7 +77,7 @@ fn every_program_is_written_and_read_again_as_the_same_path() {
         assert!(!written.text.contains("G4"), "{}", written.text);
         let again = path_of(&written.text, 2.0);
         assert_eq!(codes(&again), [], "{}", written.text);
-        let ends = |path: &ToolPath| path.moves.last().map(|m| (m.curve.end(), m.z[1]));
+        let ends = |path: &ToolPath| path.moves.last().map(|m| (m.curve.end(), m.heights[1]));
         let (a, b) = (ends(&path).expect("moves"), ends(&again).expect("moves"));
         assert!(a.0.distance(b.0) < 1e-4 && (a.1 - b.1).abs() < 1e-4, "{a:?} {b:?}");
         let length = |path: &ToolPath| path.moves.iter().map(|m| m.curve.length()).sum::<f64>();
@@ -113,7 +116,7 @@ fn the_path_of_a_cam_stays_at_the_radius_from_its_contour() {
         let steps = 20_000;
         points.extend((0..=steps).map(|i| segment.curve.point(f64::from(i) / f64::from(steps))));
     }
-    for found in path.moves.iter().filter(|m| m.role == Role::Segment && m.z[0] == -4.0) {
+    for found in path.moves.iter().filter(|m| m.role == Role::Segment && m.heights[0] == -4.0) {
         for i in 0..=4 {
             let at = found.curve.point(f64::from(i) / 4.0);
             let nearest = points.iter().map(|p| p.distance(at)).fold(f64::INFINITY, f64::min);
@@ -199,7 +202,7 @@ fn a_move_along_z_while_compensated_happens_beside_the_contour() {
     let path = path_of(text, 3.0);
     let plunge = path.moves.iter().find(|m| m.curve.length() == 0.0).expect("it is there");
     assert_eq!(plunge.curve, MoveCurve::Vertical(DVec2::new(50.0, 3.0)), "beside");
-    assert_eq!(plunge.z, [0.0, -2.0], "down");
+    assert_eq!(plunge.heights, [0.0, -2.0], "down");
 }
 
 #[test]
@@ -211,7 +214,11 @@ fn a_lead_that_starts_or_ends_beside_the_contour_keeps_its_change_of_height() {
         let path = path_of(text, 3.0);
         assert_eq!(codes(&path), [], "{:?}", path.diagnostics);
         for pair in path.moves.windows(2) {
-            assert!((pair[0].z[1] - pair[1].z[0]).abs() < 1e-9, "{text}\n{:?}", path.moves);
+            assert!(
+                (pair[0].heights[1] - pair[1].heights[0]).abs() < 1e-9,
+                "{text}\n{:?}",
+                path.moves
+            );
         }
         let plunge = path.moves.iter().find(|m| m.curve.length() == 0.0).expect("it is there");
         assert_eq!(plunge.feed, Some(10.0), "at its own feed: {plunge:?}");
@@ -225,7 +232,7 @@ fn what_follows_a_cycle_starts_where_it_led() {
     assert_eq!(codes(&path), [("not-supported", Severity::Error); 2], "{:?}", path.diagnostics);
     let ends: Vec<_> = path.moves.iter().map(|m| m.curve.end().to_array()).collect();
     assert_eq!(ends, [[0.0, 0.0], [50.0, 20.0], [50.0, 25.0]], "the holes apart");
-    assert!(path.moves.iter().all(|m| m.z[1] == 5.0), "{:?}", path.moves);
+    assert!(path.moves.iter().all(|m| m.heights[1] == 5.0), "{:?}", path.moves);
     let text = "G0 X0 Y0 Z5\nG81 X20 Y20 Z-3 R1 F600\nG80 G41 G1 X30\nX50\nG40 X60\n";
     let ends: Vec<_> = path_of(text, 3.0).moves.iter().map(|m| m.curve.end().to_array()).collect();
     let expected = [[0.0, 0.0], [20.0, 20.0], [30.0, 23.0], [50.0, 23.0], [60.0, 20.0]];

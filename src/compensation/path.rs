@@ -21,28 +21,28 @@ impl PathBuilder {
 
     /// Appends moves of one segment, whose change of height is spread over their length.
     pub(super) fn moves(&mut self, curves: &[MoveCurve], role: Role, attributes: &Attributes) {
-        let [z0, z1] = attributes.z;
-        let climbs = z0 != z1;
+        let [start, end] = attributes.heights;
+        let climbs = start != end;
         let total: f64 = if climbs { curves.iter().map(MoveCurve::length).sum() } else { 0.0 };
         let mut run = 0.0;
-        let mut z = z0;
+        let mut height = start;
         for (i, curve) in curves.iter().enumerate() {
-            self.bridge(curve.start(), role, attributes, z);
+            self.bridge(curve.start(), role, attributes, height);
             let to = if climbs && i + 1 < curves.len() {
                 run += curve.length();
-                z0 + (z1 - z0) * run / total
+                start + (end - start) * run / total
             } else {
-                z1
+                end
             };
-            self.push(*curve, role, attributes, [z, to]);
-            z = to;
+            self.push(*curve, role, attributes, [height, to]);
+            height = to;
         }
         if climbs
             && curves.is_empty()
             && let Some(at) = self.position()
         {
             // The segment has come to a point; its change of height has not.
-            self.push(MoveCurve::Vertical(at), role, attributes, [z0, z1]);
+            self.push(MoveCurve::Vertical(at), role, attributes, [start, end]);
         }
     }
 
@@ -52,16 +52,16 @@ impl PathBuilder {
         curve: MoveCurve,
         role: Role,
         attributes: &Attributes,
-        z: [f64; 2],
+        heights: [f64; 2],
     ) {
-        self.push(curve, role, attributes, z);
+        self.push(curve, role, attributes, heights);
     }
 
     /// A straight move to `point`. If the tool is there already, only its height changes.
     pub(super) fn line_to(&mut self, from: DVec2, point: DVec2, role: Role, with: &Attributes) {
         match Line::new(from, point) {
             Ok(line) => self.moves(&[MoveCurve::Line(line)], role, with),
-            Err(_) if with.z[0] != with.z[1] => {
+            Err(_) if with.heights[0] != with.heights[1] => {
                 self.moves(&[MoveCurve::Vertical(from)], role, with);
             }
             Err(_) => {}
@@ -78,24 +78,24 @@ impl PathBuilder {
             }),
             EventKind::Vertical(attributes) => {
                 let at = self.position().unwrap_or(at);
-                self.push(MoveCurve::Vertical(at), Role::Segment, attributes, attributes.z);
+                self.push(MoveCurve::Vertical(at), Role::Segment, attributes, attributes.heights);
             }
         }
     }
 
     /// Closes the gap to the next move where a segment in between has come to a point.
-    fn bridge(&mut self, to: DVec2, role: Role, attributes: &Attributes, z: f64) {
+    fn bridge(&mut self, to: DVec2, role: Role, attributes: &Attributes, height: f64) {
         if let Some(from) = self.position()
             && from.distance(to) > MIN_LENGTH
             && let Ok(line) = Line::new(from, to)
         {
-            self.push(MoveCurve::Line(line), role, attributes, [z, z]);
+            self.push(MoveCurve::Line(line), role, attributes, [height; 2]);
         }
     }
 
-    fn push(&mut self, curve: MoveCurve, role: Role, attributes: &Attributes, z: [f64; 2]) {
-        let Attributes { origin, feed, rapid, .. } = *attributes;
-        self.path.moves.push(Move { curve, role, rapid, feed, z, origin });
+    fn push(&mut self, curve: MoveCurve, role: Role, attributes: &Attributes, heights: [f64; 2]) {
+        let Attributes { origin, feed, rapid, plane, .. } = *attributes;
+        self.path.moves.push(Move { curve, role, rapid, feed, plane, heights, origin });
     }
 }
 
@@ -104,5 +104,12 @@ impl PathBuilder {
 pub(super) fn between(incoming: &Attributes, outgoing: &Attributes) -> Attributes {
     let rapid = incoming.rapid && outgoing.rapid;
     let feed = if incoming.rapid { outgoing.feed } else { incoming.feed.or(outgoing.feed) };
-    Attributes { origin: outgoing.origin, feed, rapid, z: [outgoing.z[0]; 2] }
+    Attributes {
+        origin: outgoing.origin,
+        feed,
+        time: None,
+        rapid,
+        plane: outgoing.plane,
+        heights: [outgoing.heights[0]; 2],
+    }
 }

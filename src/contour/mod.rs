@@ -6,6 +6,7 @@
 
 mod builder;
 mod corner;
+mod plane;
 mod segment;
 mod tool;
 mod tool_path;
@@ -13,6 +14,7 @@ mod transition;
 
 pub use builder::{ARC_TOLERANCE, Built, ContourBuilder, Shape, SplineShape};
 pub use corner::{Corner, CornerKind};
+pub use plane::Plane;
 pub use segment::{Attributes, Contour, Event, EventKind, Lead, Segment};
 pub use tool::{Side, Tool};
 pub use tool_path::{

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use super::Plane;
 use crate::diagnostic::Origin;
 use crate::geometry::{Bounds, Curve, MIN_LENGTH};
 
@@ -12,17 +13,21 @@ pub struct Attributes {
     pub origin: Origin,
     /// Programmed feed [mm/s].
     pub feed: Option<f64>,
+    /// Time that its whole path is to take, where the feed is programmed so (G93) [s].
+    pub time: Option<f64>,
     /// Whether it is a rapid move (G00).
     pub rapid: bool,
-    /// Height at its start and at its end [mm].
-    pub z: [f64; 2],
+    /// The plane that it lies in.
+    pub plane: Plane,
+    /// Height above the plane at its start and at its end [mm].
+    pub heights: [f64; 2],
 }
 
 impl Attributes {
-    /// A segment at height zero, without a feed.
+    /// A segment in the plane of x and y at height zero, without a feed.
     #[must_use]
     pub fn at(origin: Origin) -> Self {
-        Self { origin, feed: None, rapid: false, z: [0.0, 0.0] }
+        Self { origin, feed: None, time: None, rapid: false, plane: Plane::Xy, heights: [0.0, 0.0] }
     }
 }
 

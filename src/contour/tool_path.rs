@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::Transition;
+use super::{Plane, Transition};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Arc, Bounds, Cubic, Line, Nearest, flatten_arc, flatten_cubic};
 
@@ -15,7 +15,7 @@ pub enum MoveCurve {
     Arc(Arc),
     /// A cubic Bézier curve.
     Cubic(Cubic),
-    /// No motion in the plane: the tool moves along z at this point [mm].
+    /// No motion in the plane: the tool moves along its normal at this point [mm].
     Vertical(DVec2),
 }
 
@@ -144,8 +144,10 @@ pub struct Move {
     pub rapid: bool,
     /// Programmed feed [mm/s].
     pub feed: Option<f64>,
-    /// Height at its start and at its end [mm]; it changes evenly along the curve.
-    pub z: [f64; 2],
+    /// The plane that its curve lies in.
+    pub plane: Plane,
+    /// Height above the plane at its start and at its end [mm]; it changes evenly along the curve.
+    pub heights: [f64; 2],
     /// The segment or block it comes from.
     pub origin: Origin,
 }

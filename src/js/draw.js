@@ -1,5 +1,5 @@
 // Draws moves from their records, on a canvas or as SVG path data.
-import { ARC, CUBIC, RAPID, RECORD_STRIDE } from "./moves.js";
+import { ARC, axes, CUBIC, RAPID, RECORD_STRIDE } from "./moves.js";
 
 /**
  * Distance from which on two moves do not follow each other [mm]: a nanometre, which no machine
@@ -31,7 +31,7 @@ const gap = 1e-6;
  */
 
 /**
- * Draws all moves but rapid ones.
+ * Draws all moves but rapid ones, each by the two axes of its plane.
  *
  * @param {Float64Array} records
  * @param {Pen} pen
@@ -40,7 +40,12 @@ function draw(records, pen) {
   let [x, y, z] = [Number.NaN, Number.NaN, Number.NaN];
   for (let i = 0; i < records.length; i += RECORD_STRIDE) {
     const kind = records[i];
-    const [x0, y0, z0, x1, y1, z1, a, b, c, d] = records.subarray(i + 9, i + RECORD_STRIDE);
+    const [first, second, normal] = axes[records[i + 2]];
+    const from = records.subarray(i + 9, i + 12);
+    const to = records.subarray(i + 12, i + 15);
+    const [a, b, c, d] = records.subarray(i + 15, i + RECORD_STRIDE);
+    const [x0, y0, z0] = [from[first], from[second], from[normal]];
+    const [x1, y1, z1] = [to[first], to[second], to[normal]];
     if (kind === RAPID) {
       x = Number.NaN;
       continue;

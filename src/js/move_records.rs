@@ -1,7 +1,7 @@
 //! Moves as numbers, a fixed count for each; the layout is that of `records()` in `types.d.ts`.
 
 use super::numbering::Numbering;
-use crate::contour::{Move, MoveCurve, Role};
+use crate::contour::{Move, MoveCurve, Plane, Role};
 use crate::diagnostic::Origin;
 
 /// Numbers of one move.
@@ -11,8 +11,6 @@ const RAPID: f64 = 0.0;
 const LINE: f64 = 1.0;
 const ARC: f64 = 2.0;
 const CUBIC: f64 = 3.0;
-
-const PLANE_XY: f64 = 0.0;
 
 /// Stands where there is nothing.
 const NONE: f64 = f64::NAN;
@@ -27,7 +25,7 @@ pub(super) fn move_records(moves: &[Move], numbering: &Numbering) -> Vec<f64> {
 }
 
 fn record(step: &Move, numbering: &Numbering) -> [f64; STRIDE] {
-    let Move { curve, role, rapid, feed, z, origin } = step;
+    let Move { curve, role, rapid, feed, plane, heights, origin } = step;
     let (kind, shape) = match curve {
         // A rapid move is straight: an arc or a cubic must be followed as it is.
         MoveCurve::Line(_) | MoveCurve::Vertical(_) if *rapid => (RAPID, [0.0; 4]),
@@ -48,6 +46,11 @@ fn record(step: &Move, numbering: &Numbering) -> [f64; STRIDE] {
         Role::LeadOut => 3.0,
         Role::Free => 4.0,
     };
+    let plane = match plane {
+        Plane::Xy => 0.0,
+        Plane::Zx => 1.0,
+        Plane::Yz => 2.0,
+    };
     let feed = feed.map_or(NONE, per_minute);
     let [block, number, column] = match *origin {
         Origin::Block { line, number, column } => {
@@ -61,8 +64,8 @@ fn record(step: &Move, numbering: &Numbering) -> [f64; STRIDE] {
     let (from, to) = (curve.start(), curve.end());
     let [a, b, c, d] = shape;
     [
-        kind, role, PLANE_XY, feed, block, number, column, contour, segment, from.x, from.y, z[0],
-        to.x, to.y, z[1], a, b, c, d,
+        kind, role, plane, feed, block, number, column, contour, segment, from.x, from.y,
+        heights[0], to.x, to.y, heights[1], a, b, c, d,
     ]
 }
 

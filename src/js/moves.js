@@ -12,6 +12,18 @@ export const RAPID = 0;
 export const ARC = 2;
 export const CUBIC = 3;
 
+/** @type {readonly import("./types.d.ts").MoveBase["plane"][]} */
+const planes = ["xy", "xz", "yz"];
+
+/**
+ * The indices, in x, y, z, of the two axes of each plane and of its normal.
+ */
+export const axes = /** @type {const} */ ([
+  [0, 1, 2],
+  [2, 0, 1],
+  [1, 2, 0],
+]);
+
 /** @type {readonly Role[]} */
 const roles = ["segment", "transition", "lead-in", "lead-out", "free"];
 
@@ -30,26 +42,36 @@ export function unpackMoves(records) {
  * @returns {Move}
  */
 function unpackMove(record) {
-  const [kind, role, , feed, block, number, column, contour, segment, ...geometry] =
+  const [kind, role, plane, feed, block, number, column, contour, segment, ...geometry] =
     /** @type {number[] & { length: 19 }} */ (/** @type {unknown} */ (record));
   const [x0, y0, z0, x1, y1, z1, a, b, c, d] = geometry;
   const base = {
-    plane: /** @type {const} */ ("xy"),
+    plane: planes[plane],
     from: /** @type {Point3} */ ([x0, y0, z0]),
     to: /** @type {Point3} */ ([x1, y1, z1]),
     ...(Number.isNaN(feed) ? {} : { feed }),
     role: roles[role],
     origin: origin(block, number, column, contour, segment),
   };
+  const [first, second, normal] = axes[plane];
+  const [height, end] = [base.from[normal], base.to[normal]];
+  /** @type {(x: number, y: number, z: number) => Point3} */
+  const place = (...point) => {
+    /** @type {Point3} */
+    const placed = [0, 0, 0];
+    [placed[first], placed[second], placed[normal]] = point;
+    return placed;
+  };
   switch (kind) {
     case RAPID:
       return { kind: "rapid", ...base };
     case ARC:
-      return { kind: "arc", ...base, center: [a, b, z0], clockwise: d === 1, radius: c };
+      return { kind: "arc", ...base, center: place(a, b, height), clockwise: d === 1, radius: c };
     case CUBIC: {
       // The height changes evenly along the curve.
-      const rise = (z1 - z0) / 3;
-      return { kind: "cubic", ...base, control1: [a, b, z0 + rise], control2: [c, d, z1 - rise] };
+      const rise = (end - height) / 3;
+      const control1 = place(a, b, height + rise);
+      return { kind: "cubic", ...base, control1, control2: place(c, d, end - rise) };
     }
     default:
       return { kind: "line", ...base };

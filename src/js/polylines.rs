@@ -1,6 +1,6 @@
 //! Curves as polylines: pieces without a gap, one vertex after the other.
 
-use glam::DVec2;
+use glam::DVec3;
 
 use super::argument::BadArgument;
 use crate::contour::{Contour, Move};
@@ -36,16 +36,18 @@ impl Polylines {
                 end = None;
                 continue;
             }
-            let start = step.curve.start();
-            if !end.is_some_and(|end| meets(end, (start, step.z[0]))) {
+            let place = |point, height| step.plane.place(point, height);
+            let start = place(step.curve.start(), step.heights[0]);
+            if !end.is_some_and(|end: DVec3| end.distance(start) <= GAP) {
                 polylines.begin();
-                polylines.add(start, step.z[0], owner);
+                polylines.add(start, owner);
             }
             let from = polylines.owners.len();
-            step.curve.flatten(tolerance, &mut |point| polylines.add(point, step.z[1], owner));
+            let mut add = |point| polylines.add(place(point, step.heights[1]), owner);
+            step.curve.flatten(tolerance, &mut add);
             polylines.spread_height(from, step);
             polylines.check()?;
-            end = Some((step.curve.end(), step.z[1]));
+            end = Some(place(step.curve.end(), step.heights[1]));
         }
         Ok(polylines)
     }
@@ -61,11 +63,11 @@ impl Polylines {
         self.begin();
         let segments = contour.map_or(&[][..], Contour::segments);
         for (i, segment) in segments.iter().enumerate() {
-            let [z, z_end] = segment.attributes.z;
+            let (plane, [height, end]) = (segment.attributes.plane, segment.attributes.heights);
             if i == 0 {
-                self.add(segment.curve.start(), z, number(i));
+                self.add(plane.place(segment.curve.start(), height), number(i));
             }
-            let mut add = |point| self.add(point, z_end, number(i));
+            let mut add = |point| self.add(plane.place(point, end), number(i));
             match &segment.curve {
                 Curve::Line(line) => add(line.end()),
                 Curve::Arc(arc) => flatten_arc(arc, tolerance, &mut add),
@@ -84,23 +86,24 @@ impl Polylines {
         self.starts.push(index(self.owners.len()));
     }
 
-    fn add(&mut self, point: DVec2, z: f64, owner: u32) {
-        self.points.extend([point.x, point.y, z]);
+    fn add(&mut self, point: DVec3, owner: u32) {
+        self.points.extend(point.to_array());
         self.owners.push(owner);
     }
 
     /// Gives the vertices of a move, from vertex `from` on, heights that change evenly along it.
     fn spread_height(&mut self, from: usize, step: &Move) {
-        let [z, z_end] = step.z;
+        let [start, end] = step.heights;
+        let [.., normal] = step.plane.axes();
         let count = self.owners.len() - from;
-        if z == z_end {
+        if start == end {
             return;
         }
         for i in 0..count {
             // Chords of one move have the same step of its parameter.
             let t = (i + 1) as f64 / count as f64;
-            self.points[3 * (from + i) + 2] =
-                if i + 1 == count { z_end } else { z + (z_end - z) * t };
+            self.points[3 * (from + i) + normal] =
+                if i + 1 == count { end } else { start + (end - start) * t };
         }
     }
 
@@ -110,11 +113,6 @@ impl Polylines {
         }
         Err(BadArgument::new("tolerance", "be larger: the polylines have too many vertices"))
     }
-}
-
-/// Whether two ends are the same place, to within [`GAP`].
-fn meets(a: (DVec2, f64), b: (DVec2, f64)) -> bool {
-    a.0.distance(b.0) <= GAP && (a.1 - b.1).abs() <= GAP
 }
 
 /// An index as JavaScript gets it; [`MAX_VERTICES`] keeps it in range.

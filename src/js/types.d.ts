@@ -394,8 +394,11 @@ export type Role = "segment" | "transition" | "lead-in" | "lead-out" | "free";
 
 /** What every move has. */
 export interface MoveBase {
-  /** The plane of an arc or a cubic. Only `"xy"` in this version. */
-  plane: "xy";
+  /**
+   * The plane in which it is programmed, that of an arc or a cubic: G17, G18 or G19. An arc is
+   * clockwise or not as seen from the positive side of the third axis.
+   */
+  plane: "xy" | "xz" | "yz";
   from: Point3;
   to: Point3;
   /** Feed [mm/min], where one is programmed. */
@@ -564,13 +567,13 @@ export class ToolPath {
    * | --- | --- |
    * | 0 | kind: 0 rapid, 1 line, 2 arc, 3 cubic |
    * | 1 | role: 0 segment, 1 transition, 2 lead-in, 3 lead-out, 4 free |
-   * | 2 | plane: 0 xy |
+   * | 2 | plane: 0 xy, 1 xz, 2 yz; its two axes are x y, z x and y z |
    * | 3 | feed [mm/min], NaN where none is programmed |
    * | 4, 5, 6 | block, N word, column of the origin; NaN where there is none |
    * | 7, 8 | contour, segment of the origin; NaN where there is none |
    * | 9, 10, 11 | from x, y, z |
    * | 12, 13, 14 | to x, y, z |
-   * | 15, 16, 17, 18 | arc: center x, center y, radius, clockwise (0 or 1); cubic: control1 x, y, control2 x, y; else 0 |
+   * | 15, 16, 17, 18 | arc: center, radius, clockwise (0 or 1); cubic: control1, control2; points by the two axes of the plane; else 0 |
    */
   records(): Float64Array;
   /** The path for a canvas, rapid moves apart; only where the environment has `Path2D`. */

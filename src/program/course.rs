@@ -389,7 +389,8 @@ impl Course {
             role: Role::Free,
             rapid: attributes.rapid,
             feed: attributes.feed,
-            z: attributes.z,
+            plane: attributes.plane,
+            heights: attributes.heights,
             origin: attributes.origin,
         }));
     }

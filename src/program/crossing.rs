@@ -22,8 +22,8 @@ pub(super) struct Crossing {
 impl Crossing {
     pub(super) fn new(given: Option<f64>, moves: &[Move]) -> Self {
         // Until the height first changes it is only assumed.
-        let stated = moves.iter().skip_while(|step| step.z[0] == step.z[1]);
-        let rapid = stated.filter(|step| step.rapid).map(|step| step.z[1]);
+        let stated = moves.iter().skip_while(|step| step.heights[0] == step.heights[1]);
+        let rapid = stated.filter(|step| step.rapid).map(|step| step.heights[1]);
         Self { given, programmed: rapid.reduce(f64::max), plunge: None }
     }
 
@@ -52,7 +52,10 @@ impl Crossing {
 
     /// Learns from a move that is made.
     pub(super) fn passed(&mut self, step: &Move) {
-        if matches!(step.curve, MoveCurve::Vertical(_)) && !step.rapid && step.z[1] < step.z[0] {
+        if matches!(step.curve, MoveCurve::Vertical(_))
+            && !step.rapid
+            && step.heights[1] < step.heights[0]
+        {
             self.plunge = step.feed.or(self.plunge);
         }
     }

@@ -97,7 +97,7 @@ pub fn emit(path: &ToolPath, options: &EmitOptions) -> Emitted {
             continue;
         }
         if run.len() > 1 {
-            emitter.cubics(&run, first, first.z);
+            emitter.cubics(&run, first, first.heights);
             i += run.len();
         } else {
             emitter.one(first);
@@ -105,7 +105,7 @@ pub fn emit(path: &ToolPath, options: &EmitOptions) -> Emitted {
         }
         if let Some(last) = path.moves.get(i - 1) {
             emitter.crossing.passed(last);
-            emitter.at = last.curve.end().extend(last.z[1]).to_array();
+            emitter.at = last.curve.end().extend(last.heights[1]).to_array();
         }
     }
     Emitted { text: emitter.out.finish(), diagnostics: emitter.diagnostics }
@@ -119,7 +119,7 @@ fn cubic_run(moves: &[Move]) -> Vec<Cubic> {
         let alike = next.role == first.role
             && next.rapid == first.rapid
             && next.feed == first.feed
-            && next.z == [first.z[0]; 2];
+            && next.heights == [first.heights[0]; 2];
         match next.curve {
             MoveCurve::Cubic(cubic)
                 if alike
@@ -150,7 +150,7 @@ impl Emitter {
     /// plain contour does not.
     fn begin(&mut self, first: &Move) {
         if matches!(first.origin, Origin::Segment(_)) || self.is_away(first) {
-            let start = first.z[0];
+            let start = first.heights[0];
             self.go(first, self.crossing.given(start).unwrap_or(start));
         }
     }
@@ -161,7 +161,7 @@ impl Emitter {
             return true;
         }
         let [from_x, from_y, from_z] = self.at;
-        let (start, z) = (next.curve.start(), next.z[0]);
+        let (start, z) = (next.curve.start(), next.heights[0]);
         let Some(height) = self.crossing.height(from_z, z) else {
             let [from_x, from_y, x, y] = [from_x, from_y, start.x, start.y].map(Decimal::of);
             let message = format!(
@@ -181,7 +181,7 @@ impl Emitter {
 
     /// Goes to the start of `next`: up to a height where the tool is, across, and down.
     fn go(&mut self, next: &Move, height: f64) {
-        let (start, z) = (units(next.curve.start()), units_of(next.z[0]));
+        let (start, z) = (units(next.curve.start()), units_of(next.heights[0]));
         let below = units_of(self.at[2]);
         let height = units_of(height).max(below);
         if height > below {
@@ -198,11 +198,11 @@ impl Emitter {
     }
 
     fn is_away(&self, next: &Move) -> bool {
-        next.curve.start().extend(next.z[0]).distance(self.at.into()) > 1.0 / SCALE
+        next.curve.start().extend(next.heights[0]).distance(self.at.into()) > 1.0 / SCALE
     }
 
     fn one(&mut self, next: &Move) {
-        let [z0, z1] = next.z;
+        let [z0, z1] = next.heights;
         let (end, z) = (units(next.curve.end()), units_of(z1));
         if next.rapid {
             let total = next.curve.length();
@@ -228,9 +228,9 @@ impl Emitter {
             }
             MoveCurve::Arc(arc) => {
                 self.set_feed(next);
-                self.arc(&arc, next.z);
+                self.arc(&arc, next.heights);
             }
-            MoveCurve::Cubic(cubic) => self.cubics(&[cubic], next, next.z),
+            MoveCurve::Cubic(cubic) => self.cubics(&[cubic], next, next.heights),
         }
     }
 

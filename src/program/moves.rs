@@ -8,7 +8,7 @@ use super::interpret::{GEOMETRY, Interpreter, MINUTE};
 use super::number::push_word;
 use super::type_points::{Added, PendingSpline, SplineWord, spline_word};
 use super::words::Words;
-use crate::contour::{Attributes, Shape};
+use crate::contour::{Attributes, Plane, Shape};
 use crate::diagnostic::Diagnostic;
 use crate::geometry::{MAX_COORDINATE, MIN_LENGTH, RadiusForm};
 
@@ -122,8 +122,10 @@ impl Interpreter {
         Attributes {
             origin: block.origin(),
             feed: if rapid { None } else { self.modal.feed },
+            time: None,
             rapid,
-            z: [self.modal.position.z, to.z],
+            plane: Plane::Xy,
+            heights: [self.modal.position.z, to.z],
         }
     }
 

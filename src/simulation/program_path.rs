@@ -156,8 +156,8 @@ impl Course {
     /// A straight move to where `next` starts.
     fn join(&mut self, from: DVec2, next: &Move, role: Role) {
         if let Ok(line) = Line::new(from, next.curve.start()) {
-            let z = [next.z[0]; 2];
-            self.path.moves.push(Move { curve: MoveCurve::Line(line), role, z, ..*next });
+            let heights = [next.heights[0]; 2];
+            self.path.moves.push(Move { curve: MoveCurve::Line(line), role, heights, ..*next });
         }
     }
 

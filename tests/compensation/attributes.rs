@@ -25,7 +25,8 @@ fn climbing() -> Vec<(Shape, [f64; 2])> {
 
 fn attributes(i: usize, z: [f64; 2]) -> Attributes {
     let number = u32::try_from(i).expect("few segments");
-    Attributes { origin: Origin::Segment(number), feed: Some(i as f64 + 1.0), rapid: i >= 4, z }
+    let (feed, heights) = (Some(i as f64 + 1.0), z);
+    Attributes { feed, rapid: i >= 4, heights, ..Attributes::at(Origin::Segment(number)) }
 }
 
 fn paths() -> Vec<(String, ToolPath)> {
@@ -55,20 +56,35 @@ fn paths() -> Vec<(String, ToolPath)> {
 fn heights_change_without_a_step_and_evenly_along_each_segment() {
     for (what, path) in paths() {
         for pair in path.moves.windows(2) {
-            near(pair[0].z[1], pair[1].z[0], 1e-12, &format!("{what}: a step at {pair:?}"));
+            near(
+                pair[0].heights[1],
+                pair[1].heights[0],
+                1e-12,
+                &format!("{what}: a step at {pair:?}"),
+            );
         }
         for (i, (_, z)) in climbing().iter().enumerate() {
             let origin = attributes(i, *z).origin;
             let of = |one: &&g41::contour::Move| one.origin == origin && one.role == Role::Segment;
             let moves: Vec<_> = path.moves.iter().filter(of).collect();
             assert!(!moves.is_empty(), "{what}: nothing of segment {i}");
-            near(moves[0].z[0], z[0], 1e-12, &format!("{what}: start of segment {i}"));
-            near(moves[moves.len() - 1].z[1], z[1], 1e-12, &format!("{what}: end of segment {i}"));
+            near(moves[0].heights[0], z[0], 1e-12, &format!("{what}: start of segment {i}"));
+            near(
+                moves[moves.len() - 1].heights[1],
+                z[1],
+                1e-12,
+                &format!("{what}: end of segment {i}"),
+            );
             let length: f64 = moves.iter().map(|one| one.curve.length()).sum();
             let slope = (z[1] - z[0]) / length;
             for one in moves {
                 let climb = slope * one.curve.length();
-                near(one.z[1] - one.z[0], climb, 1e-9, &format!("{what}: slope of segment {i}"));
+                near(
+                    one.heights[1] - one.heights[0],
+                    climb,
+                    1e-9,
+                    &format!("{what}: slope of segment {i}"),
+                );
             }
         }
     }

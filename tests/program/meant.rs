@@ -72,7 +72,7 @@ fn an_arc_that_ends_where_it_starts_is_a_full_circle() {
 fn an_arc_with_z_is_a_helix() {
     let read = read_clean("G0 X10 Y0 Z1\nG3 X10 Y0 Z-2 I-10 F100");
     let helix = moves(&read)[1];
-    assert_eq!(helix.z, [1.0, -2.0], "{helix:?}");
+    assert_eq!(helix.heights, [1.0, -2.0], "{helix:?}");
 }
 
 #[test]
@@ -80,7 +80,7 @@ fn a_move_along_z_alone_is_vertical() {
     let read = read_clean("G0 X3 Y4 Z5\nG1 Z-1 F60");
     let plunge = moves(&read)[1];
     assert_eq!(plunge.curve, MoveCurve::Vertical(DVec2::new(3.0, 4.0)), "where");
-    assert_eq!((plunge.z, plunge.feed), ([5.0, -1.0], Some(1.0)), "how");
+    assert_eq!((plunge.heights, plunge.feed), ([5.0, -1.0], Some(1.0)), "how");
 }
 
 #[test]
@@ -175,7 +175,10 @@ fn words_and_moves_along_z_between_segments_are_events_of_the_contour() {
     let events = only_contour(&read).contour.events();
     assert_eq!(events.len(), 2, "{events:?}");
     assert_eq!(events[0].kind, EventKind::Words("M8 (coolant)".into()), "words");
-    assert!(matches!(events[1].kind, EventKind::Vertical(a) if a.z == [0.0, -2.0]), "{events:?}");
+    assert!(
+        matches!(events[1].kind, EventKind::Vertical(a) if a.heights == [0.0, -2.0]),
+        "{events:?}"
+    );
     assert!(events.iter().all(|event| event.before == 1), "{events:?}");
 }
 

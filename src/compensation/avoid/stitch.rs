@@ -78,13 +78,13 @@ impl Stitcher<'_> {
     }
 
     fn lead(&mut self, lead: &Lead, from: DVec2, to: DVec2, role: Role) {
-        let z = lead.attributes.z;
+        let heights = lead.attributes.heights;
         let curve = match Line::new(from, to) {
             Ok(line) => MoveCurve::Line(line),
-            Err(_) if z[0] != z[1] => MoveCurve::Vertical(from),
+            Err(_) if heights[0] != heights[1] => MoveCurve::Vertical(from),
             Err(_) => return,
         };
-        self.builder.piece(curve, role, &lead.attributes, z);
+        self.builder.piece(curve, role, &lead.attributes, heights);
     }
 
     fn unit(&self, k: usize) -> usize {
@@ -140,18 +140,18 @@ impl Stitcher<'_> {
                 if whole && let Some(points) = self.straight_round(&corner, unit) {
                     start = self.add_straight(&points, neighbours, &attributes);
                 } else if let Some(curve) = part(&piece.curve, stretch.from, to) {
-                    let z = attributes.z;
-                    self.push(curve, Role::Transition, &attributes, [z[0]; 2], first_move);
+                    let heights = attributes.heights;
+                    self.push(curve, Role::Transition, &attributes, [heights[0]; 2], first_move);
                 }
                 continue;
             }
-            let z = [stretch.from, to].map(|t| self.height(stretch.piece, unit, t));
+            let heights = [stretch.from, to].map(|t| self.height(stretch.piece, unit, t));
             let mut curve = part(&piece.curve, stretch.from, to);
             if let (Some(from), Some(MoveCurve::Line(line))) = (start.take(), &curve) {
                 curve = Line::new(from, line.end()).ok().map(MoveCurve::Line).or(curve);
             }
             if let Some(curve) = curve {
-                self.push(curve, Role::Segment, &segment.attributes, z, first_move);
+                self.push(curve, Role::Segment, &segment.attributes, heights, first_move);
             }
         }
         // The corner at the end of a loop: its first move starts there.
@@ -171,7 +171,7 @@ impl Stitcher<'_> {
         curve: MoveCurve,
         role: Role,
         attributes: &Attributes,
-        z: [f64; 2],
+        heights: [f64; 2],
         first: usize,
     ) {
         let moves = &self.builder.path.moves;
@@ -179,9 +179,9 @@ impl Stitcher<'_> {
             && last.curve.end().distance(curve.start()) > SAME_PLACE
             && let Ok(line) = Line::new(last.curve.end(), curve.start())
         {
-            self.builder.piece(MoveCurve::Line(line), role, attributes, [z[0]; 2]);
+            self.builder.piece(MoveCurve::Line(line), role, attributes, [heights[0]; 2]);
         }
-        self.builder.piece(curve, role, attributes, z);
+        self.builder.piece(curve, role, attributes, heights);
     }
 
     /// Whether a stretch is the straight neighbour of a corner, whole at its side.
@@ -245,7 +245,7 @@ impl Stitcher<'_> {
         for pair in points.windows(2) {
             if let Ok(line) = Line::new(pair[0], pair[1]) {
                 let line = MoveCurve::Line(line);
-                self.builder.piece(line, Role::Transition, attributes, [attributes.z[0]; 2]);
+                self.builder.piece(line, Role::Transition, attributes, [attributes.heights[0]; 2]);
             }
         }
         start
@@ -263,7 +263,7 @@ impl Stitcher<'_> {
         let incoming = &segments[of.segment as usize].attributes;
         if unit == range.from {
             // Between the lead-in and the first segment.
-            return Attributes { z: [incoming.z[0]; 2], ..*incoming };
+            return Attributes { heights: [incoming.heights[0]; 2], ..*incoming };
         }
         let next = (of.segment as usize + 1) % segments.len();
         between(incoming, &segments[next].attributes)
@@ -324,7 +324,7 @@ impl Stitcher<'_> {
     /// Height of the tool at a parameter of a piece [mm]: it changes evenly along the segment.
     fn height(&self, piece: usize, unit: usize, t: f64) -> f64 {
         let segment = self.work.segment(unit);
-        let [from, to] = segment.attributes.z;
+        let [from, to] = segment.attributes.heights;
         if from == to {
             return to;
         }
