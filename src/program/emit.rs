@@ -12,17 +12,10 @@ use glam::DVec2;
 
 use super::block_writer::{BlockWriter, SCALE, units};
 use super::crossing::Crossing;
+use super::target::Target;
 use crate::contour::{Move, MoveCurve, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Arc, ArcOrLine, Cubic, Decimal, MIN_LENGTH, fit_arcs, sin_cos};
-
-/// For whom a program is written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Target {
-    /// grbl, and with it every controller that reads plain G-code in millimetres.
-    #[default]
-    Grbl,
-}
 
 /// How a program is written.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -72,7 +65,6 @@ const NEARLY_FULL: f64 = 0.01;
 /// Writes a tool path as a program.
 #[must_use]
 pub fn emit(path: &ToolPath, options: &EmitOptions) -> Emitted {
-    let Target::Grbl = options.target;
     let mut emitter = Emitter {
         out: BlockWriter::new("G21 G90 G17 G94"),
         tolerance: options.tolerance.max(MIN_TOLERANCE),

@@ -19,11 +19,13 @@ mod number;
 mod reader;
 mod report;
 mod switch;
+mod target;
 mod type_points;
 mod words;
 
 pub use block::{Block, Word};
 pub use course::{Item, ProgrammedContour, RadiusSource};
-pub use emit::{EmitOptions, Emitted, Target, emit};
+pub use emit::{EmitOptions, Emitted, emit};
 pub use interpret::{Interpretation, interpret};
 pub use reader::{Dialect, Program};
+pub use target::Target;
