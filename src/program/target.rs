@@ -6,9 +6,9 @@ pub enum Target {
     /// grbl 1.1, and with it every controller that reads plain G-code in millimetres.
     #[default]
     Grbl,
-    /// grblHAL.
+    /// `grblHAL`.
     GrblHal,
-    /// LinuxCNC.
+    /// `LinuxCNC`.
     LinuxCnc,
     /// Smoothieware.
     Smoothieware,
