@@ -9,6 +9,7 @@ mod block;
 mod block_writer;
 mod course;
 mod crossing;
+mod dialect;
 mod emit;
 mod g_words;
 mod interpret;
@@ -25,7 +26,8 @@ mod words;
 
 pub use block::{Block, Word};
 pub use course::{Item, ProgrammedContour, RadiusSource};
+pub use dialect::Dialect;
 pub use emit::{EmitOptions, Emitted, emit};
 pub use interpret::{Interpretation, interpret};
-pub use reader::{Dialect, Program};
+pub use reader::Program;
 pub use target::Target;

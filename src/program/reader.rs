@@ -1,17 +1,10 @@
 //! Reading a whole program: never failing, always saying what was not understood.
 
 use super::block::Block;
+use super::dialect::Dialect;
 use super::lexer::{Line, read_line};
 use super::report::Report;
 use crate::diagnostic::{Diagnostic, Origin};
-
-/// How a program is to be read.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Dialect {
-    /// What most controls have in common, and the rest told by its words.
-    #[default]
-    Auto,
-}
 
 /// A program as read: blocks of words, not yet their meaning.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -26,7 +19,7 @@ impl Program {
     /// Reads a program. What cannot be read is left out, with a diagnostic that says where.
     #[must_use]
     pub fn parse(text: &str, dialect: Dialect) -> Self {
-        let Dialect::Auto = dialect;
+        let _ = dialect.of(text);
         let mut report = Report::default();
         let mut blocks = Vec::new();
         let mut opened = false;
