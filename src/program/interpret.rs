@@ -5,11 +5,10 @@
 
 use super::auxiliary::Auxiliary;
 use super::block::{Block, Word};
-use super::course::{Course, Item};
+use super::course::Course;
 use super::g_words::{Compensation, GWord, Motion, g_word};
 use super::modal::Modal;
 use super::number::{push_word, whole};
-use super::reader::{Program, after_end};
 use super::report::Report;
 use super::type_points::{PendingSpline, SplineWord, spline_word};
 use super::words::{Words, tenths};
@@ -22,42 +21,9 @@ pub(super) const GEOMETRY: &str = "XYZABCUVWIJKRPQLDHE";
 /// Seconds in a minute.
 pub(super) const MINUTE: f64 = 60.0;
 
-/// What a program means: its steps in order, and what was found on the way.
-#[derive(Debug, Clone, Default, PartialEq)]
-pub struct Interpretation {
-    /// The steps of the program.
-    pub items: Vec<Item>,
-    /// What was found when reading and interpreting it, in the order of the text.
-    pub diagnostics: Vec<Diagnostic>,
-}
-
-/// Interprets a program.
-#[must_use]
-pub fn interpret(program: &Program) -> Interpretation {
-    let mut interpreter = Interpreter::new();
-    let mut blocks = program.blocks.iter();
-    let mut last = None;
-    for block in blocks.by_ref() {
-        last = Some(block.origin());
-        if interpreter.block(block) == Flow::End {
-            break;
-        }
-    }
-    interpreter.finish_spline();
-    interpreter.course.end(last, &mut interpreter.report);
-    if let Some(block) = blocks.next() {
-        interpreter.report.push(after_end(block.line));
-    }
-    interpreter.report.extend(program.diagnostics.iter().cloned());
-    Interpretation {
-        items: interpreter.course.into_items(),
-        diagnostics: interpreter.report.finish(),
-    }
-}
-
 /// Whether the program goes on after a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Flow {
+pub(super) enum Flow {
     Next,
     End,
 }
@@ -87,12 +53,12 @@ pub(super) struct Interpreter {
 }
 
 impl Interpreter {
-    fn new() -> Self {
+    pub(super) fn new() -> Self {
         let (modal, course) = (Modal::new(), Course::new());
         Self { modal, course, report: Report::default(), spline: None, waiting: Vec::new() }
     }
 
-    fn block(&mut self, block: &Block) -> Flow {
+    pub(super) fn block(&mut self, block: &Block) -> Flow {
         let mut words = Words::new(block);
         if block.skippable {
             self.report.push(
