@@ -7,6 +7,7 @@
 //! two segments of a corner. `avoid` does: from the same runs and corners it makes the path that never
 //! comes too near to any point of the contour. `policy` chooses between the two.
 
+mod as_arcs;
 mod assemble;
 mod avoid;
 mod corner;
@@ -29,6 +30,7 @@ pub use avoid::{avoid, avoid_all};
 pub use live::{EditError, LiveContour, Update};
 pub use offset::{ProvedPiece, proved_offset};
 pub use options::{
-    CornerStyle, GougePolicy, LeadStyle, MIN_TOLERANCE, Options, Passes, SplineMethod, TangentBand,
+    CornerStyle, GougePolicy, LeadStyle, MIN_TOLERANCE, Options, Output, Passes, SplineMethod,
+    TangentBand,
 };
 pub use policy::{compensate_all, refuse_gouges};

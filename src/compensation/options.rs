@@ -21,6 +21,16 @@ pub enum SplineMethod {
     TypePoints,
 }
 
+/// What the path of a spline is made of.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Output {
+    /// Cubics: as few pieces as the tolerance allows.
+    #[default]
+    Cubics,
+    /// Arcs and lines, for machines and libraries that know nothing else.
+    Arcs,
+}
+
 /// How compensation is switched on and off.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum LeadStyle {
@@ -83,6 +93,9 @@ pub struct Options {
     pub corner: CornerStyle,
     /// How splines are offset.
     pub spline: SplineMethod,
+    /// What the paths of splines are made of; [`compensate`](super::compensate) and
+    /// [`avoid`](super::avoid) by themselves make cubics.
+    pub output: Output,
     /// How compensation is switched on and off.
     pub lead: LeadStyle,
     /// Which turns are no corners.
@@ -100,6 +113,7 @@ impl Default for Options {
             tolerance: 0.001,
             corner: CornerStyle::default(),
             spline: SplineMethod::default(),
+            output: Output::default(),
             lead: LeadStyle::default(),
             tangent_band: TangentBand::default(),
             gouge: GougePolicy::default(),

@@ -1,10 +1,11 @@
 //! What becomes of gouges: reported, avoided, or reason to make no path at all.
 
+use super::as_arcs::{ARC_SHARE, as_arcs};
 use super::assemble::{compensate_traced, usable};
 use super::avoid::avoid_all;
 use super::passes::pocket;
 use super::whole::Trace;
-use super::{GougePolicy, Options, Passes};
+use super::{GougePolicy, Options, Output, Passes};
 use crate::contour::{Contour, Tool, ToolPath};
 use crate::diagnostic::Diagnostic;
 
@@ -14,6 +15,17 @@ use crate::diagnostic::Diagnostic;
 /// stay.
 #[must_use]
 pub fn compensate_all(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath {
+    if options.output == Output::Arcs {
+        let tolerance = options.usable_tolerance();
+        let cubics = Options {
+            tolerance: (1.0 - ARC_SHARE) * tolerance,
+            output: Output::Cubics,
+            ..*options
+        };
+        let mut path = compensate_all(jobs, &cubics);
+        as_arcs(&mut path, ARC_SHARE * tolerance);
+        return path;
+    }
     if options.gouge == GougePolicy::Avoid {
         let one = options.passes == Passes::One;
         return if one { avoid_all(jobs, options) } else { pocket(jobs, options) };

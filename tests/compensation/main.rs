@@ -3,6 +3,7 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod arcs_only;
 mod attributes;
 mod avoided;
 mod brute;
