@@ -247,7 +247,12 @@ fn a_path_of_a_contour_begins_with_a_rapid_move_to_its_start() {
 fn pieces_apart_are_not_crossed_where_no_height_is_known() {
     let mut path = apart(-2.0);
     path.words = [(0, "M3"), (2, "M8"), (3, "M30")]
-        .map(|(before, words)| AuxiliaryWords { before, words: words.into(), origin: block(1) })
+        .map(|(before, words)| AuxiliaryWords {
+            before,
+            words: words.into(),
+            reset: None,
+            origin: block(1),
+        })
         .into();
     let written = write(&path);
     let expected = ["M3", "G0 X0 Y0", "G1 Z-2 F600", "X5", "M8", "M30"];
@@ -434,7 +439,7 @@ fn a_climbing_cubic_climbs_evenly() {
 
 #[test]
 fn words_after_the_last_move_are_written() {
-    let words = AuxiliaryWords { before: 0, words: "M30".into(), origin: block(1) };
+    let words = AuxiliaryWords { before: 0, words: "M30".into(), reset: None, origin: block(1) };
     let path = ToolPath { words: vec![words], ..ToolPath::default() };
     assert_eq!(blocks(&write(&path).text), ["M30"], "a path of words alone");
 }

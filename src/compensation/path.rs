@@ -74,6 +74,7 @@ impl PathBuilder {
             EventKind::Words(words) => self.path.words.push(AuxiliaryWords {
                 before: self.path.moves.len(),
                 words: words.clone(),
+                reset: None,
                 origin: event.origin,
             }),
             EventKind::Vertical(attributes) => {

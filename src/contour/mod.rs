@@ -18,6 +18,6 @@ pub use plane::Plane;
 pub use segment::{Attributes, Contour, Event, EventKind, Lead, Segment};
 pub use tool::{Side, Tool};
 pub use tool_path::{
-    AuxiliaryWords, Gouge, GougeKind, Move, MoveCurve, PathLoop, Role, ToolPath, Uncut,
+    AuxiliaryWords, Gouge, GougeKind, Move, MoveCurve, PathLoop, Reset, Role, ToolPath, Uncut,
 };
 pub use transition::{Transition, TransitionKind};

@@ -1,6 +1,6 @@
 //! The path of the tool centre: moves, and what was found on the way.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::{Plane, Transition};
 use crate::diagnostic::{Diagnostic, Origin};
@@ -199,13 +199,28 @@ pub struct PathLoop {
     pub parent: Option<usize>,
 }
 
-/// Words that move nothing, to be passed through in their place.
-#[derive(Debug, Clone, PartialEq, Eq)]
+/// How passed-on words leave the coordinates, where they give places other numbers (G54, G92) or
+/// move the tool to where the program's numbers do not tell (G28, G53).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Reset {
+    /// Where the tool counts as being after them [mm]: the next move starts here.
+    pub at: DVec3,
+    /// Which of x, y and z the next move is to state even where they stay as they are: its block
+    /// says them, and until now they were only assumed. An axis that no block states is not
+    /// written.
+    pub states: [bool; 3],
+}
+
+/// Words to be passed through in their place.
+#[derive(Debug, Clone, PartialEq)]
 pub struct AuxiliaryWords {
     /// Index of the move before which they stand; the number of moves for the end.
     pub before: usize,
-    /// The words as programmed: M, S and T words, comments.
+    /// The words in mm, with a space between: M, S, T and G words, comments. Maybe none, beside a
+    /// reset.
     pub words: String,
+    /// What they do to the coordinates.
+    pub reset: Option<Reset>,
     /// The block they come from.
     pub origin: Origin,
 }

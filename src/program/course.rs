@@ -8,7 +8,7 @@ use glam::DVec2;
 
 use super::report::Report;
 use crate::contour::{
-    Attributes, Contour, ContourBuilder, EventKind, Lead, Move, MoveCurve, Role, Shape, Side,
+    Attributes, Contour, ContourBuilder, EventKind, Lead, Move, MoveCurve, Reset, Role, Shape, Side,
 };
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Curve, Line};
@@ -18,12 +18,15 @@ use crate::geometry::{Curve, Line};
 pub enum Item {
     /// A move without compensation.
     Free(Move),
-    /// Words to be passed through. They move nothing, apart from one case: a block that states a
+    /// Words to be passed through. They move nothing, apart from two cases: a block that states a
     /// coordinate assumed already, at the beginning or after a change of the coordinate system,
-    /// such as `G0 X0 Y0` or `G1 Z0 F100`.
+    /// such as `G0 X0 Y0` or `G1 Z0 F100`; and moves that only the machine knows the end of (G28,
+    /// G53), which come with a reset.
     Words {
-        /// The words: M, S and T words, comments.
+        /// The words, as [`AuxiliaryWords`](crate::contour::AuxiliaryWords) has them.
         words: String,
+        /// What they do to the coordinates.
+        reset: Option<Reset>,
         /// The block they come from.
         origin: Origin,
     },
@@ -140,7 +143,9 @@ impl Course {
     /// Words that move nothing.
     pub(super) fn words(&mut self, words: String, origin: Origin) {
         match &mut self.state {
-            State::Off | State::Waiting(_) => self.items.push(Item::Words { words, origin }),
+            State::Off | State::Waiting(_) => {
+                self.items.push(Item::Words { words, reset: None, origin })
+            }
             State::On(open) | State::Ending(open) => open.event(EventKind::Words(words), origin),
         }
     }
@@ -341,7 +346,9 @@ impl Course {
         }
         for (kind, origin) in open.events {
             match kind {
-                EventKind::Words(words) => self.items.push(Item::Words { words, origin }),
+                EventKind::Words(words) => {
+                    self.items.push(Item::Words { words, reset: None, origin });
+                }
                 EventKind::Vertical(attributes) => self.free(MoveCurve::Vertical(at), &attributes),
             }
         }

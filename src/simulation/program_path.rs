@@ -33,11 +33,15 @@ pub fn compensate_program(
     for item in &interpretation.items {
         match item {
             Item::Free(free) => course.free(*free),
-            Item::Words { words, origin } => course.path.words.push(AuxiliaryWords {
-                before: course.path.moves.len(),
-                words: words.clone(),
-                origin: *origin,
-            }),
+            Item::Words { words, reset, origin } => {
+                course.path.words.push(AuxiliaryWords {
+                    before: course.path.moves.len(),
+                    words: words.clone(),
+                    reset: *reset,
+                    origin: *origin,
+                });
+                course.is_reset |= reset.is_some();
+            }
             Item::Contour(programmed) => course.contour(programmed, tools, &each),
         }
     }
@@ -51,6 +55,8 @@ pub fn compensate_program(
 #[derive(Default)]
 struct Course {
     path: ToolPath,
+    /// Whether the coordinates are others since the last move: the next one starts where it says.
+    is_reset: bool,
 }
 
 impl Course {
@@ -60,8 +66,9 @@ impl Course {
     }
 
     /// Where the tool is, if that is not `start`.
-    fn elsewhere(&self, start: DVec2) -> Option<DVec2> {
-        self.position().filter(|at| at.distance(start) > MIN_LENGTH)
+    fn elsewhere(&mut self, start: DVec2) -> Option<DVec2> {
+        let is_reset = std::mem::take(&mut self.is_reset);
+        self.position().filter(|at| !is_reset && at.distance(start) > MIN_LENGTH)
     }
 
     /// A move without compensation. After a contour without a lead-out the tool is not where the
