@@ -137,7 +137,7 @@ fn contours() -> Vec<ProgrammedContour> {
         let built = builder.build(closed);
         assert_eq!(built.diagnostics, [], "the samples are right");
         let contour = built.contour.expect("it has segments");
-        ProgrammedContour { contour, side, radius, blocks: [2, 9] }
+        ProgrammedContour { contour, side, radius, unit: 1.0, blocks: [2, 9] }
     };
     vec![
         contour(&open, false, Side::Left, RadiusSource::Tool(7)),

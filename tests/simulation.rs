@@ -6,7 +6,7 @@ use g41::compensation::{CornerStyle, GougePolicy, Options};
 use g41::contour::{Move, MoveCurve, Role, ToolPath};
 use g41::diagnostic::Severity;
 use g41::program::{Dialect, EmitOptions, Item, Program, emit, interpret};
-use g41::simulation::{Tools, check_program, compensate_program};
+use g41::simulation::{ListedTool, ToolSize, Tools, check_program, compensate_program};
 use glam::DVec2;
 
 const POCKET: &str = include_str!("programs/pocket.ngc");
@@ -129,11 +129,32 @@ fn the_path_of_a_cam_stays_at_the_radius_from_its_contour() {
 fn each_contour_has_the_radius_of_its_own_tool() {
     let text = "G0 X0 Y-20\nG41 D1 G1 X0 Y0 F600\nX50\nG40 X50 Y-20\nX0 Y-20\n\
                 G41 D2 X0 Y0\nX50\nG40 X50 Y-20\nX0 Y-20\nG42.1 D8 X0 Y0\nX50\nG40 X50 Y-20\nM30\n";
-    let tools = Tools { radii: vec![(1, 3.0), (2, 5.0)], default_radius: None };
+    let [first, second] = [(1, 3.0), (2, 5.0)].map(|(number, radius)| ListedTool {
+        number,
+        size: ToolSize::Radius(radius),
+        orientation: 0,
+    });
+    let tools = Tools { listed: vec![first, second], ..Tools::default() };
     let path = path_with(text, &tools);
     let heights: Vec<f64> =
         path.moves.iter().filter(|m| m.role == Role::Segment).map(|m| m.curve.end().y).collect();
     assert_eq!(heights, [3.0, 5.0, -4.0], "{:?}", path.diagnostics);
+}
+
+#[test]
+fn a_diameter_without_a_unit_counts_in_the_unit_at_the_word_that_switches_on() {
+    let quarter = ListedTool { number: 1, size: ToolSize::Diameter(0.25), orientation: 0 };
+    let tools = Tools { listed: vec![quarter], default_radius: Some(9.0) };
+    for (text, radius) in [
+        ("G21\nG0 X0 Y-20\nG41 D1 G1 X0 Y0 F600\nX50\nG40 Y-20\n", 0.125),
+        ("G20\nG0 X0 Y-2\nG41 D1 G1 X0 Y0 F60\nX5\nG40 Y-2\n", 3.175),
+        ("G20 T1\nG0 X0 Y-2\nG42 G1 X0 Y0 F60\nG21 X50\nG40 Y-20\n", -3.175),
+        ("G20\nG0 X0 Y-2\nG41 D2 G1 X0 Y0 F60\nX5\nG40 Y-2\n", 9.0),
+    ] {
+        let path = path_with(text, &tools);
+        let cut = path.moves.iter().find(|step| step.role == Role::Segment).expect("one segment");
+        assert!((cut.curve.end().y - radius).abs() < 1e-12, "{text}: {:?}", cut.curve);
+    }
 }
 
 #[test]

@@ -1,6 +1,7 @@
 // Checks the options of every function; what is left out stays undefined, and the core decides.
 import { bad, finite, notSupported, object, oneOf, optional, positive } from "./check.js";
 import { sides } from "./pack.js";
+import { packTools, radius } from "./tools.js";
 
 /** @typedef {import("./check.js").Where} Where */
 
@@ -23,7 +24,6 @@ const contourCheckKeys = new Set(["radius", "tolerance"]);
 const programCheckKeys = new Set(["tools", ...contourCheckKeys]);
 const parseKeys = new Set(["dialect", "profile"]);
 const gcodeKeys = new Set(["target", "tolerance", "feed", "clearance"]);
-const toolKeys = new Set(["radius"]);
 
 /** @type {(key: string) => Where} */
 const at = (key) => () => `options.${key}`;
@@ -87,7 +87,7 @@ export function liveOptions(given = {}) {
 export function programOptions(given = {}) {
   const options = object(given, programKeys, here);
   return {
-    tools: optional(options.tools, tools) ?? new Float64Array(),
+    tools: optional(options.tools, packTools) ?? new Float64Array(),
     radius: optional(options.radius, radius, at("radius")),
     settings: settings(options),
   };
@@ -101,7 +101,10 @@ export function contourCheckOptions(given = {}) {
 /** @param {unknown} given */
 export function programCheckOptions(given = {}) {
   const options = object(given, programCheckKeys, here);
-  return { tools: optional(options.tools, tools) ?? new Float64Array(), ...checkOptions(options) };
+  return {
+    tools: optional(options.tools, packTools) ?? new Float64Array(),
+    ...checkOptions(options),
+  };
 }
 
 /** @param {Record<string, unknown>} options */
@@ -212,34 +215,4 @@ function tangentBand(value) {
   }
   const isBand = typeof value === "number" && value >= 0 && value < Math.PI;
   return isBand ? value : bad(at("tangentBand"), `be "auto", or at least 0 and below π`);
-}
-
-/**
- * @param {unknown} value
- * @param {Where} where
- */
-function radius(value, where) {
-  const number = finite(value, where);
-  return Math.abs(number) <= 1e7 ? number : bad(where, "be at most 1e7 mm");
-}
-
-/**
- * Numbers and radii of tools, one after the other.
- *
- * @param {unknown} given
- */
-function tools(given) {
-  if (typeof given !== "object" || given === null) {
-    bad(at("tools"), "be an object of tools by their number");
-  }
-  return Float64Array.from(
-    Object.entries(given).flatMap(([number, tool]) => {
-      const where = at(`tools[${number}]`);
-      if (!/^\d{1,9}$/.test(number)) {
-        bad(where, "have a whole number for its name");
-      }
-      const { radius: value } = object(tool, toolKeys, where);
-      return [Number(number), radius(value, () => `${where()}.radius`)];
-    }),
-  );
 }

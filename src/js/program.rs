@@ -11,7 +11,7 @@ use super::report::{diagnostics_json, gouges_json};
 use super::settings::Settings;
 use super::tool_path::ToolPathHandle;
 use crate::program::{Dialect, Interpretation, Item, Program, ProgrammedContour, interpret};
-use crate::simulation::{Tools, check_program, compensate_program};
+use crate::simulation::{ListedTool, ToolSize, Tools, check_program, compensate_program};
 
 /// A program that was read and understood; `Program` of `types.d.ts` holds one.
 #[wasm_bindgen]
@@ -65,7 +65,7 @@ impl ProgramHandle {
         Ok(PolylinesHandle::new(polylines))
     }
 
-    /// The path with `tools`, pairs of a number and a radius [mm], and `radius` for all others.
+    /// The path with `tools`, as `tools.js` packs them, and `radius` for all others.
     #[must_use]
     pub fn compensate(
         &self,
@@ -94,12 +94,19 @@ impl ProgramHandle {
     }
 }
 
-/// The tools of pairs of a number and a radius [mm], and of `radius` for all others.
-fn tool_table(tools: &[f64], radius: Option<f64>) -> Tools {
-    // The numbers are whole, as `api.js` has checked.
-    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "see above")]
-    let radii = tools.chunks_exact(2).map(|tool| (tool[0] as u32, tool[1])).collect();
-    Tools { radii, default_radius: radius }
+/// The tools of four numbers each: its own, whether the next is a diameter in the unit of the program
+/// or else a radius [mm], that, and the orientation; and of `radius` for all others.
+fn tool_table(numbers: &[f64], radius: Option<f64>) -> Tools {
+    let mut tools = Tools { listed: Vec::new(), default_radius: radius };
+    for tool in numbers.chunks_exact(4) {
+        // The numbers are whole, as `tools.js` has checked.
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "see above")]
+        let (number, orientation) = (tool[0] as u32, tool[3] as u8);
+        let size =
+            if tool[1] == 0.0 { ToolSize::Radius(tool[2]) } else { ToolSize::Diameter(tool[2]) };
+        tools.listed.push(ListedTool { number, size, orientation });
+    }
+    tools
 }
 
 /// An index of a segment as JavaScript gets it; no program has so many.

@@ -10,11 +10,14 @@ import { unpackPolylines } from "./polylines.js";
 /** @typedef {import("./g41.js").ToolPathHandle} Raw */
 
 /**
- * Runs a call with what a path holds, for `check` alone.
+ * Runs a call with what a path holds, for `check` and the command line alone.
  *
  * @type {<R>(path: ToolPath, work: (raw: Raw, glue: Glue) => R) => R}
  */
 export let useToolPath;
+
+/** Beyond every index. */
+const everything = 0xffffffff;
 
 /** @implements {Face} */
 export class ToolPath {
@@ -48,7 +51,7 @@ export class ToolPath {
   }
 
   get transitions() {
-    this.#transitions ??= JSON.parse(this.#handle.use((raw) => raw.transitions()));
+    this.#transitions ??= JSON.parse(this.#handle.use((raw) => raw.transitions(0, everything)));
     return /** @type {Face["transitions"]} */ (this.#transitions);
   }
 
@@ -73,7 +76,7 @@ export class ToolPath {
   }
 
   records() {
-    return this.#handle.use((raw) => raw.records());
+    return this.#handle.use((raw) => raw.records(0, everything));
   }
 
   /** @param {number} [within] */

@@ -33,16 +33,16 @@ impl ToolPathHandle {
 
 #[wasm_bindgen]
 impl ToolPathHandle {
-    /// `records()` of `types.d.ts`.
+    /// `records()` of `types.d.ts`, of the moves from one index to another.
     #[must_use]
-    pub fn records(&self) -> Vec<f64> {
-        move_records(&self.path.moves, &self.numbering)
+    pub fn records(&self, from: usize, to: usize) -> Vec<f64> {
+        move_records(part(&self.path.moves, from, to), &self.numbering)
     }
 
-    /// `transitions` as JSON.
+    /// `transitions` from one index to another, as JSON.
     #[must_use]
-    pub fn transitions(&self) -> String {
-        transitions_json(&self.path.transitions, &self.numbering)
+    pub fn transitions(&self, from: usize, to: usize) -> String {
+        transitions_json(part(&self.path.transitions, from, to), &self.numbering)
     }
 
     /// `diagnostics` as JSON.
@@ -93,4 +93,9 @@ impl ToolPathHandle {
         let Emitted { text, diagnostics } = emit(&self.path, &options);
         vec![text, diagnostics_json(&diagnostics, &self.numbering)]
     }
+}
+
+/// The items from one index to another, as far as there are any.
+fn part<T>(items: &[T], from: usize, to: usize) -> &[T] {
+    items.get(from..to.min(items.len())).unwrap_or_default()
 }

@@ -334,10 +334,20 @@ export interface ContourOptions extends CompensationOptions {
   radius?: number;
 }
 
+/**
+ * How large a tool is: its radius [mm], or its diameter as a table without units has it, which counts
+ * in the unit (G20 or G21) that is in effect where compensation is switched on. A negative one swaps
+ * the side.
+ */
+export type ToolSize = ({ radius: number } | { diameter: number }) & {
+  /** Which way the tip of a lathe tool points, 1 to 9; 0, the default, for a tool that turns. */
+  orientation?: number;
+};
+
 /** Options for programs. */
 export interface ProgramOptions extends CompensationOptions {
   /** Tools by their number, the D word or else the T word. */
-  tools?: Readonly<Record<number, { radius: number }>>;
+  tools?: Readonly<Record<number, ToolSize>>;
   /** Radius of every tool that `tools` does not list [mm]. */
   radius?: number;
 }
@@ -353,7 +363,7 @@ export interface ContourCheckOptions {
 /** Options of `check` for programs. */
 export interface ProgramCheckOptions {
   /** Tools by their number, the D word or else the T word. */
-  tools?: Readonly<Record<number, { radius: number }>>;
+  tools?: Readonly<Record<number, ToolSize>>;
   /** Radius of every tool that `tools` does not list [mm]. */
   radius?: number;
   /** Cuts of at most this depth are none [mm]. Default 0.001. */

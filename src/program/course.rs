@@ -43,6 +43,9 @@ pub struct ProgrammedContour {
     pub side: Side,
     /// Where the tool radius comes from.
     pub radius: RadiusSource,
+    /// The unit of coordinates in effect at the word that switches on [mm]: diameters of a table of
+    /// tools that names no unit count in it.
+    pub unit: f64,
     /// The line of the word that switches on, and the last line that belongs to the contour.
     pub blocks: [u32; 2],
 }
@@ -61,6 +64,7 @@ pub enum RadiusSource {
 pub(super) struct SwitchOn {
     pub(super) side: Side,
     pub(super) radius: RadiusSource,
+    pub(super) unit: f64,
     pub(super) origin: Origin,
 }
 
@@ -327,6 +331,7 @@ impl Course {
                     contour,
                     side: open.switched.side,
                     radius: open.switched.radius,
+                    unit: open.switched.unit,
                     blocks: [line_of(open.switched.origin), last_line],
                 }));
                 return;

@@ -27,6 +27,7 @@ impl Interpreter {
             return;
         }
         let at = self.modal.position.truncate();
+        let unit = self.modal.unit();
         let switched = match demand {
             Some((Compensation::Off, _)) => {
                 self.read_radius_number(block, number);
@@ -39,18 +40,18 @@ impl Interpreter {
                     self.error("missing-diameter", message, origin, "compensation stays off");
                     return;
                 };
-                let radius = RadiusSource::Given(0.5 * diameter.value * self.modal.unit());
-                Some(SwitchOn { side, radius, origin })
+                let radius = RadiusSource::Given(0.5 * diameter.value * unit);
+                Some(SwitchOn { side, radius, unit, origin })
             }
             Some((Compensation::Tool(side), _)) => {
                 self.read_radius_number(block, number);
-                Some(SwitchOn { side, radius: self.radius_source(origin), origin })
+                Some(SwitchOn { side, radius: self.radius_source(origin), unit, origin })
             }
             None if number.is_some() => {
                 self.read_radius_number(block, number);
                 self.course.switched().map(|before| {
                     let radius = self.radius_source(origin);
-                    SwitchOn { side: before.side, radius, origin }
+                    SwitchOn { side: before.side, radius, unit, origin }
                 })
             }
             None => None,

@@ -20,7 +20,7 @@ pub fn check_program(
     let mut gouges = Vec::new();
     for item in &interpretation.items {
         let Item::Contour(programmed) = item else { continue };
-        let Some(radius) = tools.radius_of(programmed.radius) else { continue };
+        let Some(radius) = tools.radius_of(programmed) else { continue };
         let own = |step: &&Move| comes_from(step, programmed);
         let moves = path.moves.iter().filter(own).copied().collect();
         let own = ToolPath { moves, ..ToolPath::default() };

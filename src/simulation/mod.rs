@@ -6,4 +6,4 @@ mod tools;
 
 pub use judge::check_program;
 pub use program_path::compensate_program;
-pub use tools::Tools;
+pub use tools::{ListedTool, ToolSize, Tools};

@@ -170,7 +170,7 @@ impl Course {
 
     /// The tool of a contour; one without radius where it is not known.
     fn tool(&mut self, programmed: &ProgrammedContour, tools: &Tools, origin: Origin) -> Tool {
-        let radius = tools.radius_of(programmed.radius);
+        let radius = tools.radius_of(programmed);
         let known = radius.and_then(|radius| Tool::new(radius, programmed.side));
         known.unwrap_or_else(|| {
             let message = match programmed.radius {
