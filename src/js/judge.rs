@@ -6,7 +6,7 @@ use super::argument::BadArgument;
 use super::contour_records::read_contours;
 use super::report::gouges_json;
 use super::tool_path::ToolPathHandle;
-use crate::gouge::check;
+use crate::gouge::check_all;
 
 /// The gouges of `path`, made by a tool of `radius` [mm], in the contours of `records`, as JSON; what
 /// is less deep than `tolerance` [mm] is none. Without a radius it is the one that the contours name.
@@ -21,17 +21,18 @@ pub fn check_contours(
     tolerance: f64,
 ) -> Result<String, BadArgument> {
     let (contours, numbering) = read_contours(records)?;
-    let mut gouges = Vec::new();
-    let first = contours.first().and_then(|contour| contour.radius);
+    let mut named = radius.or(contours.first().and_then(|contour| contour.radius));
+    let mut built = Vec::with_capacity(contours.len());
     for contour in contours {
-        let named = contour.radius.filter(|named| Some(*named) == first);
-        let radius = radius.or(named).ok_or_else(|| {
-            BadArgument::new("options.radius", "be given, since the contours do not say one radius")
-        })?;
-        // What is wrong with a contour is said where it is compensated.
-        if let Some(contour) = &contour.build().contour {
-            gouges.append(&mut check(contour, path.path(), radius, tolerance));
+        if radius.is_none() && contour.radius != named {
+            named = None;
         }
+        // What is wrong with a contour is said where it is compensated.
+        built.extend(contour.build().contour);
     }
-    Ok(gouges_json(&gouges, &numbering))
+    let radius = named.ok_or_else(|| {
+        BadArgument::new("options.radius", "be given, since the contours do not say one radius")
+    })?;
+    let contours: Vec<_> = built.iter().collect();
+    Ok(gouges_json(&check_all(&contours, path.path(), radius, tolerance), &numbering))
 }
