@@ -8,13 +8,13 @@ use g41::compensation::Options;
 use g41::contour::{AuxiliaryWords, Move, MoveCurve, Plane, Role, ToolPath};
 use g41::diagnostic::{Origin, Severity};
 use g41::geometry::{Arc, Cubic, Line};
-use g41::program::{Dialect, EmitOptions, Emitted, Program, emit, interpret};
+use g41::program::{Dialect, EmitOptions, Emitted, Program, Rules, emit, interpret};
 use g41::simulation::{Tools, compensate_program};
 use glam::DVec2;
 
 /// The path of a program without compensation, or with tools of no radius.
 fn path_of(text: &str) -> ToolPath {
-    let read = interpret(&Program::parse(text, Dialect::Auto));
+    let read = interpret(&Program::parse(text, Dialect::Auto), Rules::default());
     compensate_program(&read, &Tools::all(0.0), &Options::default())
 }
 

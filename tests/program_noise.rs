@@ -7,7 +7,7 @@ use std::fmt::Write;
 use g41::compensation::Options;
 use g41::contour::ToolPath;
 use g41::diagnostic::Diagnostic;
-use g41::program::{Dialect, EmitOptions, Emitted, Program, emit, interpret};
+use g41::program::{Dialect, EmitOptions, Emitted, Program, Rules, emit, interpret};
 use g41::simulation::{Tools, compensate_program};
 
 /// How many programs of each kind.
@@ -40,7 +40,7 @@ impl Random {
 
 /// Reads, interprets, compensates and writes.
 fn all_stages(text: &str) -> (ToolPath, Emitted) {
-    let read = interpret(&Program::parse(text, Dialect::Auto));
+    let read = interpret(&Program::parse(text, Dialect::Auto), Rules::default());
     assert_bounded(&read.diagnostics);
     let path = compensate_program(&read, &Tools::all(1.5), &Options::default());
     let written = emit(&path, &EmitOptions::default());
@@ -143,7 +143,7 @@ fn random_words_give_paths_that_can_be_written_and_read_again() {
         // Offsets of centres may be twice as large as coordinates can be.
         let misread = read.diagnostics.iter().find(|d| d.code != "number-too-large");
         assert!(misread.is_none(), "seed {seed}: {misread:?}\n{}", written.text);
-        let again = interpret(&read);
+        let again = interpret(&read, Rules::default());
         let wrong = |d: &&Diagnostic| {
             matches!(d.code, "word-not-understood" | "no-motion-mode" | "arc-without-centre")
         };
@@ -181,7 +181,7 @@ fn five_megabytes_of_noise_come_to_an_end() {
 #[test]
 fn five_megabytes_of_words_come_to_an_end() {
     let text = words(&mut Random(42), LONG / 5);
-    let read = interpret(&Program::parse(&text, Dialect::Auto));
+    let read = interpret(&Program::parse(&text, Dialect::Auto), Rules::default());
     assert_bounded(&read.diagnostics);
     // The later stages on a part of it: what they make of it is many times as large.
     let (path, _) = all_stages(&text[..LONG / 10]);

@@ -5,7 +5,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use g41::compensation::{CornerStyle, GougePolicy, Options};
 use g41::contour::{Move, MoveCurve, Role, ToolPath};
 use g41::diagnostic::Severity;
-use g41::program::{Dialect, EmitOptions, Item, Program, emit, interpret};
+use g41::program::{Dialect, EmitOptions, Item, Program, Rules, emit, interpret};
 use g41::simulation::{ListedTool, ToolSize, Tools, check_program, compensate_program};
 use glam::DVec2;
 
@@ -19,7 +19,7 @@ const HELIX: &str = include_str!("programs/helix.ngc");
 const ALL: [&str; 7] = [POCKET, CAM, SLOT, LETTERING, INCH_PLATE, INCREMENTAL, HELIX];
 
 fn path_with(text: &str, tools: &Tools) -> ToolPath {
-    let read = interpret(&Program::parse(text, Dialect::Auto));
+    let read = interpret(&Program::parse(text, Dialect::Auto), Rules::default());
     compensate_program(&read, tools, &Options::default())
 }
 
@@ -102,7 +102,7 @@ fn arcs_in_a_pocket_shrink_and_those_round_a_plate_grow_by_the_radius() {
 
 #[test]
 fn the_path_of_a_cam_stays_at_the_radius_from_its_contour() {
-    let read = interpret(&Program::parse(CAM, Dialect::Auto));
+    let read = interpret(&Program::parse(CAM, Dialect::Auto), Rules::default());
     let contour = read
         .items
         .iter()
@@ -275,7 +275,7 @@ const TOO_NARROW: &str = "G0 X-20 Y-20\nG1 G41 D1 X0 Y0 F300\nY20\nG40 X-20\nG41
 
 #[test]
 fn one_gouge_stops_the_whole_program() {
-    let read = interpret(&Program::parse(TOO_NARROW, Dialect::Auto));
+    let read = interpret(&Program::parse(TOO_NARROW, Dialect::Auto), Rules::default());
     let with = |radius, gouge| {
         let options = Options { gouge, ..Options::default() };
         compensate_program(&read, &Tools::all(radius), &options)
@@ -288,7 +288,7 @@ fn one_gouge_stops_the_whole_program() {
 }
 
 fn avoided(text: &str, radius: f64) -> ToolPath {
-    let read = interpret(&Program::parse(text, Dialect::Auto));
+    let read = interpret(&Program::parse(text, Dialect::Auto), Rules::default());
     let options = Options { gouge: GougePolicy::Avoid, ..Options::default() };
     compensate_program(&read, &Tools::all(radius), &options)
 }
@@ -296,7 +296,7 @@ fn avoided(text: &str, radius: f64) -> ToolPath {
 #[test]
 fn every_program_avoids_what_it_need_not_cut_and_keeps_its_frame() {
     for text in ALL {
-        let read = interpret(&Program::parse(text, Dialect::Auto));
+        let read = interpret(&Program::parse(text, Dialect::Auto), Rules::default());
         for radius in [0.5, 2.0, 6.0] {
             let path = avoided(text, radius);
             let tools = Tools::all(radius);
@@ -318,7 +318,7 @@ const ROOMS: &str = "G0 Z8\nG0 X10 Y10\nG1 Z-2 F100\nG1 G41 D1 X10 Y0 F400\nX20\
 
 #[test]
 fn a_room_behind_a_corridor_is_crossed_to_above_the_part() {
-    let read = interpret(&Program::parse(ROOMS, Dialect::Auto));
+    let read = interpret(&Program::parse(ROOMS, Dialect::Auto), Rules::default());
     let options =
         Options { gouge: GougePolicy::Avoid, corner: CornerStyle::Arc, ..Options::default() };
     let path = compensate_program(&read, &Tools::all(4.0), &options);
@@ -329,7 +329,7 @@ fn a_room_behind_a_corridor_is_crossed_to_above_the_part() {
     assert_eq!(written.text.matches("G1 Z-2 F100").count(), 2, "{}", written.text);
     assert_eq!(written.text.matches("F400").count(), 2, "{}", written.text);
     let flat = ROOMS.replace("G0 Z8\n", "");
-    let read = interpret(&Program::parse(&flat, Dialect::Auto));
+    let read = interpret(&Program::parse(&flat, Dialect::Auto), Rules::default());
     let path = compensate_program(&read, &Tools::all(4.0), &options);
     let written = emit(&path, &EmitOptions::default());
     let codes: Vec<_> = written.diagnostics.iter().map(|d| d.code).collect();

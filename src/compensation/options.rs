@@ -40,6 +40,9 @@ pub enum LeadStyle {
     /// Straight to the point beside the start of the first segment, and straight away from beside
     /// the end of the last (FANUC type A).
     Perpendicular,
+    /// To the point beside the end of the lead-in itself, from where the first corner is a corner
+    /// like any other; straight away from beside the end of the last segment (`LinuxCNC`).
+    LinuxCnc,
 }
 
 /// Which turns are no corners.

@@ -27,8 +27,8 @@ export function parseProgram(text, options) {
   if (typeof text !== "string") {
     bad(() => "text", "be a string");
   }
-  parseOptions(options);
-  return new Program((glue) => glue.parseProgram(text));
+  const { profile } = parseOptions(options);
+  return new Program((glue) => glue.parseProgram(text, profile));
 }
 
 /**

@@ -12,6 +12,7 @@ use super::tool_path::ToolPathHandle;
 use crate::compensation::compensate_all;
 use crate::contour::{Contour, Tool, ToolPath};
 use crate::diagnostic::Origin;
+use crate::simulation::Profile;
 
 /// Compensates the contours of `records`; `side` and `radius` [mm] stand for what they say.
 ///
@@ -26,7 +27,7 @@ pub fn compensate_contours(
 ) -> Result<ToolPathHandle, BadArgument> {
     let (contours, numbering) = read_contours(records)?;
     let side_name = side_name.and_then(side);
-    let options = settings.into_options();
+    let options = settings.into_options(Profile::default());
     let mut found = Vec::new();
     let mut jobs = Vec::new();
     for contour in contours {

@@ -12,6 +12,7 @@ use super::settings::Settings;
 use super::tool_path::ToolPathHandle;
 use crate::compensation::{EditError, LiveContour};
 use crate::contour::{Side, Tool};
+use crate::simulation::Profile;
 
 /// A contour that is edited; `LiveContour` of `types.d.ts` holds one.
 #[wasm_bindgen]
@@ -44,7 +45,13 @@ impl LiveHandle {
         let own = (contour.side, contour.radius);
         let tool = tool(own, side_name, radius)?;
         let (described, closed) = contour.into_builder();
-        let live = LiveContour::new(described, closed, tool, settings.into_options(), chord);
+        let live = LiveContour::new(
+            described,
+            closed,
+            tool,
+            settings.into_options(Profile::default()),
+            chord,
+        );
         Ok(Self { live, own })
     }
 
@@ -60,7 +67,7 @@ impl LiveHandle {
         chord: f64,
     ) -> Result<(), BadArgument> {
         let tool = tool(self.own, side_name, radius)?;
-        self.live.set(tool, settings.into_options(), chord);
+        self.live.set(tool, settings.into_options(Profile::default()), chord);
         Ok(())
     }
 

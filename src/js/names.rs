@@ -5,6 +5,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::compensation::{CornerStyle, GougePolicy, LeadStyle, SplineMethod};
 use crate::contour::Side;
+use crate::simulation::Profile;
 
 /// `side` of `types.d.ts`.
 #[wasm_bindgen]
@@ -44,6 +45,24 @@ pub enum LeadName {
     Textbook = "textbook",
     /// Straight to the end of the first offset.
     Perpendicular = "perpendicular",
+    /// To beside the end of the lead-in.
+    LinuxCnc = "linuxcnc",
+}
+
+/// `profile` of `types.d.ts`.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ProfileName {
+    /// The textbook's.
+    G41 = "g41",
+    /// `LinuxCNC`.
+    LinuxCnc = "linuxcnc",
+    /// FANUC cutter compensation C.
+    Fanuc = "fanuc",
+    /// Beckhoff and ISG.
+    Isg = "isg",
+    /// SINUMERIK.
+    Sinumerik = "sinumerik",
 }
 
 /// `gouge` of `types.d.ts`.
@@ -83,7 +102,20 @@ pub(super) fn lead_style(name: LeadName) -> Option<LeadStyle> {
     match name {
         LeadName::Textbook => Some(LeadStyle::Textbook),
         LeadName::Perpendicular => Some(LeadStyle::Perpendicular),
+        LeadName::LinuxCnc => Some(LeadStyle::LinuxCnc),
         LeadName::__Invalid => None,
+    }
+}
+
+/// What a profile's name stands for.
+pub(super) fn profile(name: ProfileName) -> Option<Profile> {
+    match name {
+        ProfileName::G41 => Some(Profile::G41),
+        ProfileName::LinuxCnc => Some(Profile::LinuxCnc),
+        ProfileName::Fanuc => Some(Profile::Fanuc),
+        ProfileName::Isg => Some(Profile::Isg),
+        ProfileName::Sinumerik => Some(Profile::Sinumerik),
+        ProfileName::__Invalid => None,
     }
 }
 

@@ -5,12 +5,11 @@ import { packTools, radius } from "./tools.js";
 
 /** @typedef {import("./check.js").Where} Where */
 
-const profiles = /** @type {const} */ (["g41"]);
-const laterProfiles = ["linuxcnc", "fanuc", "isg", "sinumerik"];
+const profiles = /** @type {const} */ (["g41", "linuxcnc", "fanuc", "isg", "sinumerik"]);
 const splines = /** @type {const} */ (["exact", "type-points"]);
 const corners = /** @type {const} */ (["linear", "arc"]);
-const leads = /** @type {const} */ (["textbook", "perpendicular"]);
-const laterLeads = ["intersection", "extra-move", "linuxcnc"];
+const leads = /** @type {const} */ (["textbook", "perpendicular", "linuxcnc"]);
+const laterLeads = ["intersection", "extra-move"];
 const gouges = /** @type {const} */ (["report", "avoid", "stop"]);
 
 const settingKeys = [
@@ -118,12 +117,12 @@ function checkOptions(options) {
 /** @param {unknown} given */
 export function parseOptions(given = {}) {
   const options = object(given, parseKeys, here);
-  profile(options);
   const { dialect } = options;
   if (typeof dialect === "string" && dialect !== "auto") {
     notSupported(at("dialect"), `"${dialect}"`);
   }
   optional(dialect, (value) => oneOf(value, ["auto"], at("dialect")));
+  return { profile: profile(options) };
 }
 
 /** @param {unknown} given */
@@ -147,9 +146,9 @@ export function gcodeOptions(given = {}) {
  * @param {Record<string, unknown>} options
  */
 function settings(options) {
-  profile(options);
   const gouge = optional(options.gouge, (value) => oneOf(value, gouges, at("gouge")));
   return /** @type {const} */ ([
+    profile(options),
     optional(options.tolerance, toleranceAt, at("tolerance"), finestPath),
     optional(options.spline, (value) => oneOf(value, splines, at("spline"))),
     optional(options.corner, (value) => oneOf(value, corners, at("corner"))),
@@ -201,17 +200,17 @@ function passCount(value) {
 
 /** @param {Record<string, unknown>} options */
 function profile(options) {
-  optional(options.profile, (value) => oneOf(value, profiles, at("profile"), laterProfiles));
+  return optional(options.profile, (value) => oneOf(value, profiles, at("profile")));
 }
 
 /**
- * A number in rad, or nothing for "auto".
+ * A number in rad, a negative one for "auto".
  *
  * @param {unknown} value
  */
 function tangentBand(value) {
   if (value === "auto") {
-    return undefined;
+    return -1;
   }
   const isBand = typeof value === "number" && value >= 0 && value < Math.PI;
   return isBand ? value : bad(at("tangentBand"), `be "auto", or at least 0 and below π`);

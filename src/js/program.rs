@@ -3,6 +3,7 @@
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::argument::BadArgument;
+use super::names::{ProfileName, profile};
 use super::numbering::Numbering;
 use super::polylines::Polylines;
 use super::polylines_handle::PolylinesHandle;
@@ -11,20 +12,23 @@ use super::report::{diagnostics_json, gouges_json};
 use super::settings::Settings;
 use super::tool_path::ToolPathHandle;
 use crate::program::{Dialect, Interpretation, Item, Program, ProgrammedContour, interpret};
-use crate::simulation::{ListedTool, ToolSize, Tools, check_program, compensate_program};
+use crate::simulation::{ListedTool, Profile, ToolSize, Tools, check_program, compensate_program};
 
 /// A program that was read and understood; `Program` of `types.d.ts` holds one.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct ProgramHandle {
     interpretation: Interpretation,
+    profile: Profile,
 }
 
 /// Reads a program. What was not understood is a diagnostic.
 #[wasm_bindgen(js_name = parseProgram)]
 #[must_use]
-pub fn parse_program(text: &str) -> ProgramHandle {
-    ProgramHandle { interpretation: interpret(&Program::parse(text, Dialect::Auto)) }
+pub fn parse_program(text: &str, profile_name: Option<ProfileName>) -> ProgramHandle {
+    let profile = profile_name.and_then(profile).unwrap_or_default();
+    let program = Program::parse(text, Dialect::Auto);
+    ProgramHandle { interpretation: interpret(&program, profile.rules()), profile }
 }
 
 impl ProgramHandle {
@@ -74,7 +78,8 @@ impl ProgramHandle {
         settings: Settings,
     ) -> ToolPathHandle {
         let tools = tool_table(tools, radius);
-        let path = compensate_program(&self.interpretation, &tools, &settings.into_options());
+        let options = settings.into_options(self.profile);
+        let path = compensate_program(&self.interpretation, &tools, &options);
         ToolPathHandle::new(path, Numbering::plain())
     }
 

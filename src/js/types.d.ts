@@ -212,18 +212,24 @@ export function flatten(
 export interface ParseOptions {
   /** The dialect of G-code; this version knows its own reading of the common words only. */
   dialect?: "auto";
-  /** The profile that decides what G05 means. Only `"g41"` in this version. */
+  /**
+   * The control that the program is written for: it decides what the words of compensation may ask
+   * for, and is the profile of `compensate` unless that names another. Default `"g41"`.
+   */
   profile?: Profile;
 }
 
-/** A named set of the options of `compensate`. Only `"g41"` in this version. */
-export type Profile = "g41";
+/**
+ * Whose rules of compensation are followed: a named set of the options of `compensate`, and of how
+ * a program is read. `"g41"` is the textbook's.
+ */
+export type Profile = "g41" | "linuxcnc" | "fanuc" | "isg" | "sinumerik";
 
 /**
  * Reads a program. This never fails as a whole: what was not understood is a diagnostic with its
  * block and column.
  *
- * @throws {G41Error} `"bad-argument"`, `"not-supported"` (another dialect or profile)
+ * @throws {G41Error} `"bad-argument"`, `"not-supported"` (another dialect)
  */
 export function parseProgram(text: string, options?: ParseOptions): Program;
 
@@ -272,7 +278,10 @@ export class Program {
 
 /** Options of `compensate` that do not depend on what is compensated. */
 export interface CompensationOptions {
-  /** A named set of the options below; one that is given explicitly wins. Default `"g41"`. */
+  /**
+   * A named set of the options below; one that is given explicitly wins. Default: what the program
+   * was read with, and `"g41"` for contours.
+   */
   profile?: Profile;
   /**
    * How far the path may be from the true equidistant [mm]. Default 0.001. It is at least 1e-11 of the
@@ -288,9 +297,10 @@ export interface CompensationOptions {
   corner?: "linear" | "arc";
   /**
    * How compensation is switched on and off: `"textbook"` joins the lead to the contour as any
-   * corner, `"perpendicular"` goes straight to the end of the first offset. Default `"textbook"`.
+   * corner, `"perpendicular"` goes straight to the end of the first offset, `"linuxcnc"` to beside the
+   * end of the lead-in, from where the first corner is one like any other. Default `"textbook"`.
    */
-  lead?: "textbook" | "perpendicular";
+  lead?: "textbook" | "perpendicular" | "linuxcnc";
   /**
    * What becomes of places where the tool does not fit. Default `"report"`.
    *

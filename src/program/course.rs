@@ -7,6 +7,7 @@
 use glam::DVec2;
 
 use super::report::Report;
+use super::rules::Rules;
 use crate::contour::{
     Attributes, Contour, ContourBuilder, EventKind, Lead, Move, MoveCurve, Reset, Role, Shape, Side,
 };
@@ -73,6 +74,7 @@ pub(super) struct SwitchOn {
 pub(super) struct Course {
     items: Vec<Item>,
     state: State,
+    rules: Rules,
 }
 
 #[derive(Debug)]
@@ -118,8 +120,8 @@ impl Open {
 }
 
 impl Course {
-    pub(super) fn new() -> Self {
-        Self { items: Vec::new(), state: State::Off }
+    pub(super) fn new(rules: Rules) -> Self {
+        Self { items: Vec::new(), state: State::Off, rules }
     }
 
     /// Whether moves are free, apart from a lead-in.
@@ -201,15 +203,19 @@ impl Course {
         match std::mem::replace(&mut self.state, State::Off) {
             State::Off => self.free_curve(from, shape, attributes, report),
             State::Waiting(switched) => {
-                report.push(
-                    Diagnostic::error(
-                        "curved-lead-in",
-                        "compensation is switched on before an arc or a spline",
-                    )
-                    .with_origin(origin)
-                    .with_point(from)
-                    .with_hint("lead in with a straight move (G00 or G01) to the curve's start"),
-                );
+                if !(self.rules.arc_lead_in && matches!(shape, Shape::Arc { .. })) {
+                    report.push(
+                        Diagnostic::error(
+                            "curved-lead-in",
+                            "compensation is switched on before an arc or a spline",
+                        )
+                        .with_origin(origin)
+                        .with_point(from)
+                        .with_hint(
+                            "lead in with a straight move (G00 or G01) to the curve's start",
+                        ),
+                    );
+                }
                 let mut open = Open::new(switched, from, None);
                 open.builder.segment(shape, attributes);
                 open.last_line = line_of(origin);

@@ -10,6 +10,7 @@ use super::g_words::{Compensation, GWord, Motion, g_word};
 use super::modal::Modal;
 use super::number::{push_word, whole};
 use super::report::Report;
+use super::rules::Rules;
 use super::type_points::{PendingSpline, SplineWord, spline_word};
 use super::words::{Words, tenths};
 use crate::diagnostic::{Diagnostic, Origin};
@@ -53,8 +54,8 @@ pub(super) struct Interpreter {
 }
 
 impl Interpreter {
-    pub(super) fn new() -> Self {
-        let (modal, course) = (Modal::new(), Course::new());
+    pub(super) fn new(rules: Rules) -> Self {
+        let (modal, course) = (Modal::new(), Course::new(rules));
         Self { modal, course, report: Report::default(), spline: None, waiting: Vec::new() }
     }
 

@@ -3,6 +3,7 @@
 use super::course::Item;
 use super::interpret::{Flow, Interpreter};
 use super::reader::{Program, after_end};
+use super::rules::Rules;
 use crate::diagnostic::Diagnostic;
 
 /// What a program means: its steps in order, and what was found on the way.
@@ -14,10 +15,10 @@ pub struct Interpretation {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Interprets a program.
+/// Interprets a program by the `rules` of a control.
 #[must_use]
-pub fn interpret(program: &Program) -> Interpretation {
-    let mut interpreter = Interpreter::new();
+pub fn interpret(program: &Program, rules: Rules) -> Interpretation {
+    let mut interpreter = Interpreter::new(rules);
     let mut blocks = program.blocks.iter();
     let mut last = None;
     for block in blocks.by_ref() {

@@ -1,9 +1,11 @@
 //! Where stages meet: a program and its tools become one tool path, and a path is judged.
 
 mod judge;
+mod profile;
 mod program_path;
 mod tools;
 
 pub use judge::check_program;
+pub use profile::Profile;
 pub use program_path::compensate_program;
 pub use tools::{ListedTool, ToolSize, Tools};

@@ -187,8 +187,6 @@ test("options and path of the judge", () => {
 
 test("what a later version will have is named as such", () => {
   for (const option of [
-    { profile: "linuxcnc" },
-    { profile: "sinumerik" },
     { lead: "intersection" },
     { lead: "extra-move" },
   ]) {
@@ -196,7 +194,7 @@ test("what a later version will have is named as such", () => {
     throwsCode(() => compensate(part, { ...left, ...option }), "not-supported", path);
   }
   throwsCode(() => parseProgram("", { dialect: "fanuc" }), "not-supported", "options.dialect");
-  throwsCode(() => parseProgram("", { profile: "fanuc" }), "not-supported", "options.profile");
+  throwsCode(() => parseProgram("", { profile: "iso" }), "bad-argument", "options.profile");
   const path = compensate(part, left);
   throwsCode(() => path.gcode({ target: "fanuc" }), "not-supported", "options.target");
 });

@@ -2,11 +2,11 @@
 
 use g41::contour::Move;
 use g41::diagnostic::{Diagnostic, Origin, Severity};
-use g41::program::{Dialect, Interpretation, Item, Program, ProgrammedContour, interpret};
+use g41::program::{Dialect, Interpretation, Item, Program, ProgrammedContour, Rules, interpret};
 use glam::DVec2;
 
 pub(crate) fn read(text: &str) -> Interpretation {
-    interpret(&Program::parse(text, Dialect::Auto))
+    interpret(&Program::parse(text, Dialect::Auto), Rules::default())
 }
 
 /// Reads a program in which nothing is to be found fault with.
