@@ -26,6 +26,15 @@ impl ArcOrLine {
             Self::Line(line) => line.end(),
         }
     }
+
+    /// Its length [mm].
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        match self {
+            Self::Arc(arc) => arc.length(),
+            Self::Line(line) => line.length(),
+        }
+    }
 }
 
 /// Turn between successive cubics from which on they count as a kink [rad]. Joints of C2 splines

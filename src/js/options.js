@@ -1,5 +1,5 @@
 // Checks the options of every function; what is left out stays undefined, and the core decides.
-import { bad, finite, notSupported, object, oneOf, optional, positive } from "./check.js";
+import { bad, finite, notSupported, object, oneOf, optional, positive, truth } from "./check.js";
 import { sides } from "./pack.js";
 import { packTools, radius } from "./tools.js";
 
@@ -10,6 +10,10 @@ const splines = /** @type {const} */ (["exact", "type-points"]);
 const corners = /** @type {const} */ (["linear", "arc"]);
 const leads = /** @type {const} */ (["textbook", "perpendicular", "linuxcnc"]);
 const laterLeads = ["intersection", "extra-move"];
+const targets = /** @type {const} */ ([
+  ...["grbl", "grblhal", "linuxcnc", "smoothieware", "marlin", "fanuc-0m", "fanuc-6m"],
+]);
+const written = /** @type {const} */ (["arcs", "native"]);
 const gouges = /** @type {const} */ (["report", "avoid", "stop"]);
 
 const settingKeys = [
@@ -22,7 +26,7 @@ const programKeys = new Set(["tools", "radius", ...settingKeys]);
 const contourCheckKeys = new Set(["radius", "tolerance"]);
 const programCheckKeys = new Set(["tools", ...contourCheckKeys]);
 const parseKeys = new Set(["dialect", "profile"]);
-const gcodeKeys = new Set(["target", "tolerance", "feed", "clearance"]);
+const gcodeKeys = new Set(["target", "tolerance", "splines", "feed", "clearance", "explain"]);
 
 /** @type {(key: string) => Where} */
 const at = (key) => () => `options.${key}`;
@@ -125,19 +129,22 @@ export function parseOptions(given = {}) {
   return { profile: profile(options) };
 }
 
-/** @param {unknown} given */
+/**
+ * The options of writing a program, in the order of the core's arguments.
+ *
+ * @param {unknown} given
+ */
 export function gcodeOptions(given = {}) {
   const options = object(given, gcodeKeys, here);
-  const { target } = options;
-  if (typeof target === "string" && target !== "grbl") {
-    notSupported(at("target"), `"${target}"`);
-  }
-  optional(target, (value) => oneOf(value, ["grbl"], at("target")));
-  return {
-    tolerance: optional(options.tolerance, toleranceAt, at("tolerance")) ?? defaultTolerance,
-    feed: optional(options.feed, positive, at("feed")),
-    clearance: optional(options.clearance, finite, at("clearance")),
-  };
+  const splines = optional(options.splines, (value) => oneOf(value, written, at("splines")));
+  return /** @type {const} */ ([
+    optional(options.target, (value) => oneOf(value, targets, at("target"))) ?? "grbl",
+    optional(options.tolerance, toleranceAt, at("tolerance")) ?? defaultTolerance,
+    splines === "native",
+    optional(options.feed, positive, at("feed")),
+    optional(options.clearance, finite, at("clearance")),
+    optional(options.explain, (value) => truth(value, at("explain"))) ?? false,
+  ]);
 }
 
 /**

@@ -114,9 +114,9 @@ export class ToolPath {
 
   /** @param {import("./types.d.ts").GcodeOptions} [options] */
   emit(options) {
-    const { tolerance: within, feed, clearance } = gcodeOptions(options);
+    const given = gcodeOptions(options);
     const [text, diagnostics] = /** @type {[string, string]} */ (
-      this.#handle.use((raw) => raw.emit(within, feed, clearance))
+      this.#handle.use((raw) => raw.emit(...given))
     );
     return { text, diagnostics: JSON.parse(diagnostics) };
   }

@@ -9,7 +9,7 @@ use super::polylines::Polylines;
 use super::polylines_handle::PolylinesHandle;
 use super::report::{diagnostics_json, gouges_json, loops_json, transitions_json, uncut_json};
 use crate::contour::ToolPath;
-use crate::program::{EmitOptions, Emitted, Target, emit};
+use crate::program::{EmitOptions, Emitted, SplineOutput, Target, emit};
 
 /// A tool path; `ToolPath` of `types.d.ts` holds one.
 #[wasm_bindgen]
@@ -84,12 +84,26 @@ impl ToolPathHandle {
         Ok(PolylinesHandle::new(Polylines::of_moves(&self.path.moves, tolerance)?))
     }
 
-    /// `[text, diagnostics as JSON]` of the path as a program, within `tolerance` [mm], with
-    /// `feed` [mm/min] where none is programmed, and `clearance` [mm] between pieces.
+    /// `[text, diagnostics as JSON]` of the path as a program for `target`, within `tolerance`
+    /// [mm], with `feed` [mm/min] where none is programmed, and `clearance` [mm] between pieces.
     #[must_use]
-    pub fn emit(&self, tolerance: f64, feed: Option<f64>, clearance: Option<f64>) -> Vec<String> {
-        let feed = feed.map(per_second);
-        let options = EmitOptions { target: Target::Grbl, tolerance, feed, clearance };
+    pub fn emit(
+        &self,
+        target: &str,
+        tolerance: f64,
+        native: bool,
+        feed: Option<f64>,
+        clearance: Option<f64>,
+        explain: bool,
+    ) -> Vec<String> {
+        let options = EmitOptions {
+            target: Target::named(target).unwrap_or_default(),
+            tolerance,
+            splines: if native { SplineOutput::Native } else { SplineOutput::Arcs },
+            feed: feed.map(per_second),
+            clearance,
+            explain,
+        };
         let Emitted { text, diagnostics } = emit(&self.path, &options);
         vec![text, diagnostics_json(&diagnostics, &self.numbering)]
     }

@@ -501,12 +501,39 @@ export interface Uncut {
   segments: Origin[];
 }
 
+/**
+ * For whom a program is written. What one of them does not know is written as what it knows instead,
+ * or left out with a diagnostic.
+ *
+ * `"grbl"` is read by every controller of plain G-code in millimetres; `"smoothieware"` is its CNC
+ * build, `"marlin"` Marlin 2 with its options as delivered.
+ */
+export type Target =
+  | "grbl"
+  | "grblhal"
+  | "linuxcnc"
+  | "smoothieware"
+  | "marlin"
+  | "fanuc-0m"
+  | "fanuc-6m";
+
 /** How code is written. */
 export interface GcodeOptions {
-  /** For whom: plain G0, G1, G2 and G3, as grbl and every other controller reads them. */
-  target?: "grbl";
-  /** How far arcs and lines in the place of cubics may be from them [mm]. Default 0.001. */
+  /** For whom. Default `"grbl"`. */
+  target?: Target;
+  /**
+   * How far arcs and lines in the place of cubics may be from them, rounded as they are written
+   * [mm]. Default 0.001. Where it is less than three units of the target's last digit, rounding may
+   * add as much.
+   */
   tolerance?: number;
+  /**
+   * What cubics become: arcs and lines within the tolerance, or G5 blocks where the target knows
+   * them, which it cuts up as finely as it likes. Default `"arcs"`.
+   */
+  splines?: "arcs" | "native";
+  /** Whether a comment before each move that was not programmed says why it is there. */
+  explain?: boolean;
   /** Feed of moves for which none is programmed [mm/min]. */
   feed?: number;
   /**
@@ -603,7 +630,7 @@ export class ToolPath {
   /**
    * The path as a program for a controller.
    *
-   * @throws {G41Error} `"bad-argument"`, `"not-supported"` (another target)
+   * @throws {G41Error} `"bad-argument"`
    */
   gcode(options?: GcodeOptions): string;
   /**

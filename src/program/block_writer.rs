@@ -1,122 +1,243 @@
-//! Writing blocks: only what changes, in as few digits as it needs.
+//! Writing blocks: only what changes, in as few digits as it needs, as the target reads them.
 
-use glam::DVec2;
+use glam::DVec3;
 
 use super::number::push_scaled;
+use super::target::{Comments, Facts};
+use crate::contour::{Plane, Reset};
 
-/// Decimals of a coordinate: 0.1 µm, finer than any machine.
-const DECIMALS: usize = 4;
+/// Blocks are numbered in steps of ten, and again from ten where four digits do not suffice.
+const NUMBERS: [u32; 2] = [10, 9990];
 
-/// Units of the last decimal in a millimetre.
-pub(super) const SCALE: f64 = 1e4;
-
-/// Decimals of a feed in mm/min.
-const FEED_DECIMALS: usize = 3;
-
-/// A point in units of the last decimal.
-pub(super) fn units(point: DVec2) -> [i64; 2] {
-    // Coordinates are at most 1e7 mm, and casts saturate.
-    #[expect(clippy::cast_possible_truncation, reason = "at most 1e13")]
-    [point.x, point.y].map(|value| (value * SCALE).round() as i64)
-}
+/// The letters of the axes, and those of the way from an arc's start to its centre along them.
+const AXES: [[char; 2]; 3] = [['X', 'I'], ['Y', 'J'], ['Z', 'K']];
 
 /// A program as it is written, with the modes of the control that will read it.
 #[derive(Debug)]
 pub(super) struct BlockWriter {
+    pub(super) facts: &'static Facts,
     text: String,
+    /// Units of the last decimal in a millimetre.
+    pub(super) scale: f64,
     /// Where the control is, in units of the last decimal.
-    at: [i64; 3],
-    /// Whether X and Y were ever written.
-    stated: bool,
+    pub(super) at: [i64; 3],
+    /// Which coordinates were written since they could be anything.
+    known: [bool; 3],
+    /// Which coordinates the next block that moves says in any case.
+    states: [bool; 3],
     /// The motion word in effect.
     motion: Option<char>,
+    plane: Plane,
     /// The F word in effect, and the one asked for: mm/min in units of the last decimal.
     feed: [Option<i64>; 2],
+    /// The number of the last block.
+    number: u32,
+    /// Words that are to stand in the next block that moves.
+    prefix: String,
 }
 
 impl BlockWriter {
-    /// A program that begins with the block `header`.
-    pub(super) fn new(header: &str) -> Self {
-        let text = format!("{header}\n");
-        Self { text, at: [0; 3], stated: false, motion: None, feed: [None; 2] }
+    /// A program of a number.
+    pub(super) fn new(facts: &'static Facts, number: u32) -> Self {
+        let mut writer = Self {
+            facts,
+            text: String::new(),
+            // At most 4 decimals.
+            scale: power_of_ten(facts.decimals),
+            at: [0; 3],
+            known: [false; 3],
+            states: [false; 3],
+            motion: None,
+            plane: Plane::Xy,
+            feed: [None; 2],
+            number: 0,
+            prefix: String::new(),
+        };
+        if facts.tape {
+            let digits = number.to_string();
+            writer.text.push_str("%\nO");
+            writer.text.extend(std::iter::repeat_n('0', 4_usize.saturating_sub(digits.len())));
+            writer.text.push_str(&digits);
+            writer.text.push('\n');
+        }
+        for block in facts.header {
+            writer.words(block);
+        }
+        writer
     }
 
-    pub(super) fn finish(self) -> String {
+    pub(super) fn finish(mut self) -> String {
+        if self.facts.tape {
+            self.text.push_str("%\n");
+        }
         self.text
     }
 
-    /// Where the control is in the plane.
-    pub(super) fn position(&self) -> [i64; 2] {
-        [self.at[0], self.at[1]]
+    /// A length in units of the last decimal.
+    pub(super) fn units(&self, length: f64) -> i64 {
+        // Coordinates are at most 1e7 mm, and casts saturate.
+        #[expect(clippy::cast_possible_truncation, reason = "at most 1e13")]
+        let units = (length * self.scale).round() as i64;
+        units
     }
 
-    /// Makes the next block say X and Y, even where they seem not to change.
-    pub(super) fn state_position(&mut self) {
-        self.stated = false;
+    /// A point in units of the last decimal.
+    pub(super) fn place(&self, point: DVec3) -> [i64; 3] {
+        [self.units(point.x), self.units(point.y), self.units(point.z)]
+    }
+
+    /// Makes the next blocks say their coordinates, even where they seem not to change.
+    pub(super) fn forget_place(&mut self) {
+        self.known = [false; 3];
+    }
+
+    /// Takes the coordinates as words have left them.
+    pub(super) fn reset(&mut self, reset: Reset) {
+        self.at = self.place(reset.at);
+        self.known = [true; 3];
+        self.states = reset.states;
+    }
+
+    /// Makes the next block that moves say how.
+    pub(super) fn forget_motion(&mut self) {
+        self.motion = None;
     }
 
     /// Asks for a feed [mm/s] from the next feed move on.
     pub(super) fn set_feed(&mut self, feed: f64) {
+        let scaled = self.feed_units(feed * 60.0);
+        self.feed[1] = Some(scaled);
+    }
+
+    fn feed_units(&self, per_minute: f64) -> i64 {
+        let scale = power_of_ten(self.facts.feed_decimals);
         #[expect(clippy::cast_possible_truncation, reason = "casts saturate")]
-        let scaled = (feed * 60.0 * 1e3).round() as i64;
-        self.feed[1] = Some(scaled.max(1));
+        let scaled = (per_minute * scale).round() as i64;
+        scaled.max(1)
     }
 
     pub(super) fn has_feed(&self) -> bool {
         self.feed[1].is_some()
     }
 
-    /// Words as they are.
+    /// Words that are to stand at the beginning of the next block that moves.
+    pub(super) fn prefix(&mut self, words: &str) {
+        if !self.prefix.is_empty() {
+            self.prefix.push(' ');
+        }
+        self.prefix.push_str(words);
+    }
+
+    /// A block of words as they are.
     pub(super) fn words(&mut self, words: &str) {
-        // They hold a motion word only where they state the first position.
-        if let [b'G', motion @ (b'0' | b'1'), b' ', ..] = words.as_bytes() {
-            self.motion = Some(char::from(*motion));
+        if words.is_empty() {
+            return;
         }
-        // Coordinate systems: the same numbers are another place now.
-        if words.as_bytes().windows(2).any(|pair| pair == b"G5") {
-            self.stated = false;
-        }
+        self.begin();
+        self.space();
         self.text.push_str(words);
         self.text.push('\n');
     }
 
-    pub(super) fn rapid(&mut self, to: [i64; 2], z: i64) {
-        self.block('0', to, z, None);
+    /// A comment in a line of its own, from its text.
+    pub(super) fn comment(&mut self, text: &str) {
+        self.line_of_comments(&comment(self.facts.comments, text));
     }
 
-    pub(super) fn line(&mut self, to: [i64; 2], z: i64) {
-        self.block('1', to, z, None);
+    /// Comments in a line of their own, which needs no number.
+    pub(super) fn line_of_comments(&mut self, comments: &str) {
+        self.text.push_str(comments);
+        self.text.push('\n');
     }
 
-    /// An arc to `to` about the point that is `center` away from where the control is; a full
-    /// circle where `to` is where the control is.
-    pub(super) fn arc(&mut self, clockwise: bool, to: [i64; 2], z: i64, center: [i64; 2]) {
-        self.block(if clockwise { '2' } else { '3' }, to, z, Some(center));
-    }
-
-    fn block(&mut self, motion: char, [x, y]: [i64; 2], z: i64, center: Option<[i64; 2]>) {
-        let to = [x, y, z];
-        let in_plane = self.at[..2] != to[..2] || center.is_some();
-        // The first block in the plane says both coordinates, as does a full circle.
-        let both = !self.stated && (in_plane || motion == '0' && self.at == to)
-            || center.is_some() && self.at[..2] == to[..2];
-        if self.at == to && !both {
-            return;
-        }
-        let mut words = WordsOfBlock(&mut self.text);
-        if self.motion != Some(motion) {
-            words.start();
-            words.0.extend(['G', motion]);
-            self.motion = Some(motion);
-        }
-        for (i, letter) in ['X', 'Y', 'Z'].into_iter().enumerate() {
-            if self.at[i] != to[i] || i < 2 && both {
-                words.push(letter, to[i], DECIMALS);
+    /// A block that states coordinates [mm] where the control is already, and a feed [mm/min].
+    pub(super) fn state(&mut self, motion: char, axes: [Option<f64>; 3], feed: Option<f64>) {
+        let mut says = [false; 3];
+        for (i, axis) in axes.into_iter().enumerate() {
+            if let Some(value) = axis {
+                self.at[i] = self.units(value);
+                says[i] = true;
             }
         }
-        for (letter, value) in ['I', 'J'].into_iter().zip(center.into_iter().flatten()) {
-            if value != 0 {
-                words.push(letter, value, DECIMALS);
+        if let Some(feed) = feed {
+            self.feed[1] = Some(self.feed_units(feed));
+        }
+        self.block(motion, self.at, says, &[]);
+    }
+
+    pub(super) fn rapid(&mut self, to: [i64; 3], plane: Plane) {
+        self.straight('0', to, plane);
+    }
+
+    pub(super) fn line(&mut self, to: [i64; 3], plane: Plane) {
+        self.straight('1', to, plane);
+    }
+
+    /// A move in a plane says both of the plane's coordinates where they could be anything.
+    fn straight(&mut self, motion: char, to: [i64; 3], plane: Plane) {
+        let mut says = [0, 1, 2].map(|i| self.at[i] != to[i]);
+        let [first, second, _] = plane.axes();
+        if says[first] || says[second] || motion == '0' && self.at == to {
+            says[first] |= !self.known[first];
+            says[second] |= !self.known[second];
+        }
+        if says != [false; 3] || self.states != [false; 3] {
+            self.block(motion, to, says, &[]);
+        }
+    }
+
+    /// An arc in a plane to `to`, about the point that is `center` away from where the control is,
+    /// along the plane's axes; a full circle where `to` is where the control is.
+    pub(super) fn arc(&mut self, clockwise: bool, plane: Plane, to: [i64; 3], center: [i64; 2]) {
+        let motion = if clockwise { '2' } else { '3' };
+        let mut says = [0, 1, 2].map(|i| self.at[i] != to[i]);
+        let [first, second, _] = plane.axes();
+        let full = !says[first] && !says[second];
+        says[first] |= full || !self.known[first];
+        says[second] |= full || !self.known[second];
+        let word = ["G17", "G18", "G19"][plane as usize];
+        if self.plane != plane {
+            self.plane = plane;
+            self.prefix(word);
+        }
+        let offsets = [(AXES[first][1], center[0]), (AXES[second][1], center[1])];
+        self.block(motion, to, says, &offsets);
+    }
+
+    /// A cubic in the plane of x and y whose inner control points are so far from its ends.
+    pub(super) fn cubic(&mut self, to: [i64; 3], controls: [[i64; 2]; 2]) {
+        let says = [true, true, self.at[2] != to[2]];
+        if self.plane != Plane::Xy {
+            self.plane = Plane::Xy;
+            self.prefix("G17");
+        }
+        let [[i, j], [p, q]] = controls;
+        self.block('5', to, says, &[('I', i), ('J', j), ('P', p), ('Q', q)]);
+    }
+
+    fn block(&mut self, motion: char, to: [i64; 3], says: [bool; 3], offsets: &[(char, i64)]) {
+        self.begin();
+        if !self.prefix.is_empty() {
+            self.space();
+            self.text.push_str(&self.prefix);
+            self.prefix.clear();
+        }
+        if self.motion != Some(motion) || !self.facts.modal {
+            self.space();
+            self.text.extend(['G', motion]);
+            self.motion = Some(motion);
+        }
+        let stated = std::mem::take(&mut self.states);
+        for i in 0..3 {
+            if says[i] || stated[i] {
+                self.length(AXES[i][0], to[i]);
+                self.known[i] = true;
+            }
+        }
+        for &(letter, value) in offsets {
+            // A cubic says all four: left out they would be those of the cubic before.
+            if value != 0 || motion == '5' {
+                self.length(letter, value);
             }
         }
         let [in_effect, wanted] = self.feed;
@@ -124,29 +245,72 @@ impl BlockWriter {
             && wanted != in_effect
             && let Some(feed) = wanted
         {
-            words.push('F', feed, FEED_DECIMALS);
+            self.space();
+            self.text.push('F');
+            push_scaled(&mut self.text, feed, self.facts.feed_decimals);
             self.feed[0] = wanted;
         }
         self.text.push('\n');
-        self.stated |= in_plane || both;
         self.at = to;
     }
-}
 
-/// A block in the making.
-struct WordsOfBlock<'a>(&'a mut String);
-
-impl WordsOfBlock<'_> {
-    /// A space before every word but the first.
-    fn start(&mut self) {
-        if !self.0.ends_with('\n') {
-            self.0.push(' ');
+    /// The number of a block, where blocks have one.
+    fn begin(&mut self) {
+        if self.facts.tape {
+            let [step, most] = NUMBERS;
+            self.number = if self.number >= most { step } else { self.number + step };
+            self.text.push('N');
+            push_scaled(&mut self.text, i64::from(self.number), 0);
         }
     }
 
-    fn push(&mut self, letter: char, scaled: i64, decimals: usize) {
-        self.start();
-        self.0.push(letter);
-        push_scaled(self.0, scaled, decimals);
+    /// A space before every word but the first.
+    fn space(&mut self) {
+        if !self.text.is_empty() && !self.text.ends_with('\n') {
+            self.text.push(' ');
+        }
     }
+
+    fn length(&mut self, letter: char, scaled: i64) {
+        self.space();
+        push_length(&mut self.text, letter, scaled, self.facts);
+    }
+}
+
+/// Writes a word of a length in units of the last decimal.
+pub(super) fn push_length(text: &mut String, letter: char, scaled: i64, facts: &Facts) {
+    text.push(letter);
+    let before = text.len();
+    push_scaled(text, scaled, facts.decimals);
+    if facts.point && !text.as_bytes()[before..].contains(&b'.') {
+        text.push('.');
+    }
+}
+
+/// A comment as a target knows them, from its text.
+pub(super) fn comment(style: Comments, text: &str) -> String {
+    let mut comment = String::with_capacity(text.len() + 2);
+    comment.push(if style == Comments::Semicolon { ';' } else { '(' });
+    for letter in text.chars() {
+        comment.push(match (style, letter) {
+            (Comments::Semicolon, letter) => letter,
+            (_, '(') => '[',
+            (_, ')') => ']',
+            (Comments::Parentheses, letter) if !letter.is_ascii() => '?',
+            (Comments::Parentheses, letter) => letter.to_ascii_uppercase(),
+            (Comments::Both, letter) => letter,
+        });
+    }
+    if style != Comments::Semicolon {
+        comment.push(')');
+    }
+    comment
+}
+
+fn power_of_ten(exponent: usize) -> f64 {
+    let mut power = 1.0;
+    for _ in 0..exponent {
+        power *= 10.0;
+    }
+    power
 }

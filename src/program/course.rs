@@ -150,7 +150,7 @@ impl Course {
     pub(super) fn words(&mut self, words: String, origin: Origin) {
         match &mut self.state {
             State::Off | State::Waiting(_) => {
-                self.items.push(Item::Words { words, reset: None, origin })
+                self.items.push(Item::Words { words, reset: None, origin });
             }
             State::On(open) | State::Ending(open) => open.event(EventKind::Words(words), origin),
         }

@@ -3,7 +3,9 @@
 //! Between two pieces lies what the tool must not touch, or they would be one. So it crosses at a
 //! height that is known to be free, and where none is known it does not cross at all.
 
-use crate::contour::{Move, MoveCurve};
+use glam::DVec3;
+
+use crate::contour::Move;
 
 /// Heights nearer than this are one [mm]: the last digit written.
 const SAME_HEIGHT: f64 = 1e-4;
@@ -22,9 +24,16 @@ pub(super) struct Crossing {
 impl Crossing {
     pub(super) fn new(given: Option<f64>, moves: &[Move]) -> Self {
         // Until the height first changes it is only assumed.
-        let stated = moves.iter().skip_while(|step| step.heights[0] == step.heights[1]);
-        let rapid = stated.filter(|step| step.rapid).map(|step| step.heights[1]);
-        Self { given, programmed: rapid.reduce(f64::max), plunge: None }
+        let mut stated = false;
+        let mut programmed: Option<f64> = None;
+        for step in moves {
+            let [from, to] = ends(step);
+            stated |= from.z != to.z;
+            if stated && step.rapid {
+                programmed = Some(programmed.map_or(to.z, |height| height.max(to.z)));
+            }
+        }
+        Self { given, programmed, plunge: None }
     }
 
     /// The height at which the tool gets from one height to another [mm], if one is known.
@@ -52,11 +61,15 @@ impl Crossing {
 
     /// Learns from a move that is made.
     pub(super) fn passed(&mut self, step: &Move) {
-        if matches!(step.curve, MoveCurve::Vertical(_))
-            && !step.rapid
-            && step.heights[1] < step.heights[0]
-        {
+        let [from, to] = ends(step);
+        if !step.rapid && to.z < from.z && (from.x, from.y) == (to.x, to.y) {
             self.plunge = step.feed.or(self.plunge);
         }
     }
+}
+
+/// Where a move starts and where it ends [mm].
+pub(super) fn ends(step: &Move) -> [DVec3; 2] {
+    let [start, end] = step.heights;
+    [step.plane.place(step.curve.start(), start), step.plane.place(step.curve.end(), end)]
 }

@@ -3,17 +3,20 @@
 //! Coordinates are rounded first and everything else follows from what was written: the centre of
 //! an arc is given from its start as written, so that rounding does not add up and no control
 //! finds its radii to disagree. Cubics become arcs and lines within a tolerance, over as long a
-//! run of them as possible. G41, G42, D and H words have done their work and do not appear. Between
-//! pieces that do not follow each other the tool rises, crosses and comes down again (`crossing`).
+//! run of them as possible. What a target knows stands in `target`, what becomes of other words in
+//! `passed`. Between pieces that do not follow each other the tool rises, crosses and comes down
+//! again (`crossing`).
 
 use std::f64::consts::PI;
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
-use super::block_writer::{BlockWriter, SCALE, units};
-use super::crossing::Crossing;
+use super::block_writer::BlockWriter;
+use super::crossing::{Crossing, ends};
+use super::explained::Explanations;
+use super::passed::{Passing, has_frame, program_number};
 use super::target::Target;
-use crate::contour::{Move, MoveCurve, ToolPath};
+use crate::contour::{AuxiliaryWords, Move, MoveCurve, Plane, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Arc, ArcOrLine, Cubic, Decimal, MIN_LENGTH, fit_arcs, sin_cos};
 
@@ -22,8 +25,11 @@ use crate::geometry::{Arc, ArcOrLine, Cubic, Decimal, MIN_LENGTH, fit_arcs, sin_
 pub struct EmitOptions {
     /// For whom.
     pub target: Target,
-    /// Largest distance of arcs and lines from the cubics they stand for [mm].
+    /// Largest distance of arcs and lines, as they are written, from the cubics they stand for
+    /// [mm]; where it is less than three units of the last digit, rounding may add as much.
     pub tolerance: f64,
+    /// What cubics become.
+    pub splines: SplineOutput,
     /// Feed of moves for which none is programmed [mm/s].
     pub feed: Option<f64>,
     /// Height at which the tool crosses from one piece of the path to the next [mm]. At the height
@@ -31,12 +37,32 @@ pub struct EmitOptions {
     /// rapid moves; where that is not above the pieces, the program ends before the first crossing,
     /// with an error.
     pub clearance: Option<f64>,
+    /// Whether a comment before each move that was not programmed says why it is there.
+    pub explain: bool,
 }
 
 impl Default for EmitOptions {
     fn default() -> Self {
-        Self { target: Target::default(), tolerance: 0.001, feed: None, clearance: None }
+        Self {
+            target: Target::default(),
+            tolerance: 0.001,
+            splines: SplineOutput::default(),
+            feed: None,
+            clearance: None,
+            explain: false,
+        }
     }
+}
+
+/// What cubics become.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SplineOutput {
+    /// Arcs and lines within the tolerance, whatever the target knows: how finely a controller
+    /// cuts up its own splines is not ours to say.
+    #[default]
+    Arcs,
+    /// Cubics (G5) where the target knows them, up to rounding; arcs and lines elsewhere.
+    Native,
 }
 
 /// A program as written.
@@ -48,15 +74,16 @@ pub struct Emitted {
     pub diagnostics: Vec<Diagnostic>,
 }
 
-/// Finest tolerance for cubics [mm]: a tenth of the last digit written.
-const MIN_TOLERANCE: f64 = 1e-5;
+/// Arcs of less radius are written as lines [units of the last digit]: they have no shape.
+const MIN_RADIUS: f64 = 5.0;
 
-/// Arcs of less radius are written as lines [mm]: five units of the last digit have no shape.
-const MIN_RADIUS: f64 = 5e-4;
-
-/// Arcs that bulge less than half a unit of the last digit are lines [mm]. Among them are all
+/// Arcs that bulge less than this are lines [units of the last digit]. Among them are all
 /// whose sweep a control in single precision could take for zero, and so for a full circle.
-const MIN_SAGITTA: f64 = 5e-5;
+const MIN_SAGITTA: f64 = 0.5;
+
+/// What rounding may move a point of an arc by [units of the last digit]: its ends by 0.7, its
+/// middle by as much again through the centre.
+const ROUNDING: f64 = 1.5;
 
 /// Arcs beyond three quarters of a circle whose ends are nearer than this are written as two
 /// [mm]: rounding, or a control in single precision, could take them for a full circle or nothing.
@@ -65,19 +92,33 @@ const NEARLY_FULL: f64 = 0.01;
 /// Writes a tool path as a program.
 #[must_use]
 pub fn emit(path: &ToolPath, options: &EmitOptions) -> Emitted {
+    let facts = options.target.facts();
+    // Words before the first move may carry the number of the program.
+    let mut head = path.words.iter().take_while(|words| words.before == 0);
+    let number = head.find_map(|words| program_number(&words.words));
+    let out = BlockWriter::new(facts, number.unwrap_or(1));
+    let unit = 1.0 / out.scale;
     let mut emitter = Emitter {
-        out: BlockWriter::new("G21 G90 G17 G94"),
-        tolerance: options.tolerance.max(MIN_TOLERANCE),
-        feed: options.feed,
+        out,
+        unit,
+        tolerance: (options.tolerance - ROUNDING * unit)
+            .max(0.5 * options.tolerance)
+            .max(0.1 * unit),
+        options: *options,
         crossing: Crossing::new(options.clearance, &path.moves),
-        at: [0.0; 3],
+        at: DVec3::ZERO,
+        passing: Passing::default(),
         diagnostics: Vec::new(),
     };
+    if !facts.frame.is_empty() && !path.words.iter().any(|words| has_frame(&words.words)) {
+        emitter.frame(facts.frame);
+    }
+    let mut explanations = Explanations::new(&path.transitions);
     let mut words = path.words.iter().peekable();
     let mut i = 0;
     while i <= path.moves.len() {
         while let Some(passed) = words.next_if(|words| words.before <= i || i == path.moves.len()) {
-            emitter.out.words(&passed.words);
+            emitter.pass(passed);
         }
         let Some(first) = path.moves.get(i) else { break };
         let until = words.peek().map_or(path.moves.len(), |words| words.before);
@@ -88,8 +129,13 @@ pub fn emit(path: &ToolPath, options: &EmitOptions) -> Emitted {
             i = path.moves.len();
             continue;
         }
+        if options.explain
+            && let Some(why) = explanations.why(first)
+        {
+            emitter.out.comment(&why);
+        }
         if run.len() > 1 {
-            emitter.cubics(&run, first, first.heights);
+            emitter.cubics(&run, first);
             i += run.len();
         } else {
             emitter.one(first);
@@ -97,10 +143,12 @@ pub fn emit(path: &ToolPath, options: &EmitOptions) -> Emitted {
         }
         if let Some(last) = path.moves.get(i - 1) {
             emitter.crossing.passed(last);
-            emitter.at = last.curve.end().extend(last.heights[1]).to_array();
+            emitter.at = ends(last)[1];
         }
     }
-    Emitted { text: emitter.out.finish(), diagnostics: emitter.diagnostics }
+    let mut diagnostics = emitter.diagnostics;
+    diagnostics.append(&mut emitter.passing.diagnostics);
+    Emitted { text: emitter.out.finish(), diagnostics }
 }
 
 /// The cubics at the beginning of `moves` that can be written as one curve.
@@ -111,6 +159,7 @@ fn cubic_run(moves: &[Move]) -> Vec<Cubic> {
         let alike = next.role == first.role
             && next.rapid == first.rapid
             && next.feed == first.feed
+            && next.plane == first.plane
             && next.heights == [first.heights[0]; 2];
         match next.curve {
             MoveCurve::Cubic(cubic)
@@ -129,40 +178,64 @@ fn cubic_run(moves: &[Move]) -> Vec<Cubic> {
 
 struct Emitter {
     out: BlockWriter,
+    options: EmitOptions,
+    /// The last digit [mm].
+    unit: f64,
+    /// Of arcs and lines before they are rounded [mm].
     tolerance: f64,
-    feed: Option<f64>,
     crossing: Crossing,
     /// Where the tool is [mm], not rounded.
-    at: [f64; 3],
+    at: DVec3,
+    passing: Passing,
     diagnostics: Vec<Diagnostic>,
 }
 
 impl Emitter {
+    fn pass(&mut self, words: &AuxiliaryWords) {
+        let mut text = words.words.as_str();
+        if self.out.facts.tape && program_number(text).is_some() {
+            // It stands at the head of the program.
+            text = text.split_once(')').map_or("", |(_, rest)| rest);
+        }
+        self.passing.pass(&mut self.out, text, words.origin);
+        if let Some(reset) = words.reset {
+            self.at = reset.at;
+            self.out.reset(reset);
+        }
+    }
+
+    /// The coordinate system of a program that names none.
+    fn frame(&mut self, frame: &str) {
+        self.out.words(frame);
+        let message = format!("{frame} stands at the head: the program names no coordinate system");
+        let hint = "set it to the program's zero, or where G92 does, begin with the tool there";
+        self.diagnostics.push(Diagnostic::info("frame-added", message).with_hint(hint));
+    }
+
     /// Goes to where the path starts. A program says itself how the tool comes to its first move; a
     /// plain contour does not.
     fn begin(&mut self, first: &Move) {
-        if matches!(first.origin, Origin::Segment(_)) || self.is_away(first) {
-            let start = first.heights[0];
-            self.go(first, self.crossing.given(start).unwrap_or(start));
+        let start = ends(first)[0];
+        if matches!(first.origin, Origin::Segment(_)) || self.is_away(start) {
+            self.go(first, self.crossing.given(start.z).unwrap_or(start.z));
         }
     }
 
     /// Crosses to where `next` starts, if the tool is not there; tells whether it is now.
     fn cross(&mut self, next: &Move) -> bool {
-        if !self.is_away(next) {
+        let start = ends(next)[0];
+        if !self.is_away(start) {
             return true;
         }
-        let [from_x, from_y, from_z] = self.at;
-        let (start, z) = (next.curve.start(), next.heights[0]);
-        let Some(height) = self.crossing.height(from_z, z) else {
-            let [from_x, from_y, x, y] = [from_x, from_y, start.x, start.y].map(Decimal::of);
+        let Some(height) = self.crossing.height(self.at.z, start.z) else {
+            let [from_x, from_y, x, y] = [self.at.x, self.at.y, start.x, start.y].map(Decimal::of);
             let message = format!(
                 "the path goes on elsewhere, from X{from_x} Y{from_y} to X{x} Y{y}, and no height is known at which the tool can cross"
             );
             self.diagnostics.push(
                 Diagnostic::error("no-clearance", message)
                     .with_origin(next.origin)
-                    .with_point(start)
+                    .with_point(next.curve.start())
                     .with_hint("give a clearance height, or let the program make a rapid move above the part; until then the written program ends before this"),
             );
             return false;
@@ -173,133 +246,180 @@ impl Emitter {
 
     /// Goes to the start of `next`: up to a height where the tool is, across, and down.
     fn go(&mut self, next: &Move, height: f64) {
-        let (start, z) = (units(next.curve.start()), units_of(next.heights[0]));
-        let below = units_of(self.at[2]);
-        let height = units_of(height).max(below);
+        let [x, y, z] = self.out.place(ends(next)[0]);
+        let below = self.out.units(self.at.z);
+        let height = self.out.units(height).max(below);
+        let [from_x, from_y, _] = self.out.at;
         if height > below {
-            self.out.rapid(self.out.position(), height);
+            self.out.rapid([from_x, from_y, height], Plane::Xy);
         }
-        self.out.state_position();
-        self.out.rapid(start, height);
+        self.out.forget_place();
+        self.out.rapid([x, y, height], Plane::Xy);
         if next.rapid {
-            self.out.rapid(start, z);
+            self.out.rapid([x, y, z], Plane::Xy);
         } else if height > z {
             self.set_feed(&Move { feed: self.crossing.plunge(next), ..*next });
-            self.out.line(start, z);
+            self.out.line([x, y, z], Plane::Xy);
         }
     }
 
-    fn is_away(&self, next: &Move) -> bool {
-        next.curve.start().extend(next.heights[0]).distance(self.at.into()) > 1.0 / SCALE
+    fn is_away(&self, place: DVec3) -> bool {
+        place.distance(self.at) > self.unit
     }
 
     fn one(&mut self, next: &Move) {
-        let [z0, z1] = next.heights;
-        let (end, z) = (units(next.curve.end()), units_of(z1));
-        if next.rapid {
-            let total = next.curve.length();
-            let mut points = Vec::new();
-            if !matches!(next.curve, MoveCurve::Line(_) | MoveCurve::Vertical(_)) {
-                next.curve.flatten(self.tolerance, &mut |point| points.push(point));
-                points.pop();
+        let flat = !matches!(next.curve, MoveCurve::Line(_) | MoveCurve::Vertical(_));
+        let known = next.plane == Plane::Xy || self.out.facts.planes;
+        if !next.rapid {
+            self.set_feed(next);
+            if flat && known {
+                match next.curve {
+                    MoveCurve::Arc(arc) => self.arc(&arc, next.plane, next.heights),
+                    MoveCurve::Cubic(cubic) => self.cubics(&[cubic], next),
+                    MoveCurve::Line(_) | MoveCurve::Vertical(_) => {}
+                }
+                return;
             }
-            let mut from = next.curve.start();
-            let mut run = 0.0;
-            for point in points {
-                run += from.distance(point);
-                from = point;
-                self.out.rapid(units(point), units_of(z0 + (z1 - z0) * (run / total).min(1.0)));
-            }
-            self.out.rapid(end, z);
-            return;
         }
-        match next.curve {
-            MoveCurve::Line(_) | MoveCurve::Vertical(_) => {
-                self.set_feed(next);
-                self.out.line(end, z);
-            }
-            MoveCurve::Arc(arc) => {
-                self.set_feed(next);
-                self.arc(&arc, next.heights);
-            }
-            MoveCurve::Cubic(cubic) => self.cubics(&[cubic], next, next.heights),
+        if flat {
+            self.chords(next);
+        }
+        self.straight(next, next.curve.end(), next.heights[1]);
+    }
+
+    /// The curve of a move as straight lines, up to before its end.
+    fn chords(&mut self, next: &Move) {
+        let [z0, z1] = next.heights;
+        let total = next.curve.length();
+        let mut points = Vec::new();
+        next.curve.flatten(self.tolerance, &mut |point| points.push(point));
+        points.pop();
+        let mut from = next.curve.start();
+        let mut run = 0.0;
+        for point in points {
+            run += from.distance(point);
+            from = point;
+            self.straight(next, point, z0 + (z1 - z0) * (run / total).min(1.0));
+        }
+    }
+
+    fn straight(&mut self, like: &Move, to: DVec2, height: f64) {
+        let to = self.out.place(like.plane.place(to, height));
+        if like.rapid {
+            self.out.rapid(to, like.plane);
+        } else {
+            self.out.line(to, like.plane);
         }
     }
 
     /// Cubics of one height, or one cubic that climbs.
-    fn cubics(&mut self, cubics: &[Cubic], like: &Move, [z0, z1]: [f64; 2]) {
-        if like.rapid {
+    fn cubics(&mut self, cubics: &[Cubic], like: &Move) {
+        if like.rapid || like.plane != Plane::Xy && !self.out.facts.planes {
             for cubic in cubics {
-                self.one(&Move { curve: MoveCurve::Cubic(*cubic), ..*like });
+                let curve = MoveCurve::Cubic(*cubic);
+                if !like.rapid {
+                    self.set_feed(like);
+                }
+                self.chords(&Move { curve, ..*like });
+                self.straight(like, cubic.end(), like.heights[1]);
             }
             return;
         }
         self.set_feed(like);
+        let [z0, z1] = like.heights;
+        let native = self.options.splines == SplineOutput::Native && self.out.facts.splines;
+        if native && like.plane == Plane::Xy && z0 == z1 {
+            for cubic in cubics {
+                self.native(cubic, z0);
+            }
+            return;
+        }
         let pieces = fit_arcs(cubics, self.tolerance);
-        let length = |piece: &ArcOrLine| match piece {
-            ArcOrLine::Arc(arc) => arc.length(),
-            ArcOrLine::Line(line) => line.length(),
-        };
-        let total: f64 = pieces.iter().map(length).sum();
+        let total: f64 = pieces.iter().map(ArcOrLine::length).sum();
         let mut run = 0.0;
         let mut z = z0;
         for piece in &pieces {
-            run += length(piece);
+            run += piece.length();
             let to = z0 + (z1 - z0) * (run / total);
             match piece {
-                ArcOrLine::Arc(arc) => self.arc(arc, [z, to]),
-                ArcOrLine::Line(line) => self.out.line(units(line.end()), units_of(to)),
+                ArcOrLine::Arc(arc) => self.arc(arc, like.plane, [z, to]),
+                ArcOrLine::Line(line) => self.straight(like, line.end(), to),
             }
             z = to;
         }
         // A cubic that comes to a point, and whatever rounding left over.
         if let Some(last) = cubics.last() {
-            self.out.line(units(last.end()), units_of(z1));
+            self.straight(like, last.end(), z1);
         }
     }
 
+    /// A cubic as one block, its inner control points from its ends as written.
+    fn native(&mut self, cubic: &Cubic, z: f64) {
+        let [_, first, second, end] =
+            cubic.points.map(|point| [self.out.units(point.x), self.out.units(point.y)]);
+        let start = self.out.at;
+        let controls =
+            [[first[0] - start[0], first[1] - start[1]], [second[0] - end[0], second[1] - end[1]]];
+        let to = [end[0], end[1], self.out.units(z)];
+        self.out.cubic(to, controls);
+    }
+
     /// An arc as one block, as two, or as a line where it has no shape at this resolution.
-    fn arc(&mut self, arc: &Arc, [z0, z1]: [f64; 2]) {
-        let (end, z) = (units(arc.end()), units_of(z1));
+    fn arc(&mut self, arc: &Arc, plane: Plane, [z0, z1]: [f64; 2]) {
+        let to = self.out.place(plane.place(arc.end(), z1));
         let (radius, sweep) = (arc.radius(), arc.sweep());
         let sagitta = radius * (1.0 - sin_cos(0.5 * sweep).1);
-        if radius < MIN_RADIUS || (sweep.abs() < 1.0 && sagitta < MIN_SAGITTA) {
-            self.out.line(end, z);
+        if radius < MIN_RADIUS * self.unit
+            || (sweep.abs() < 1.0 && sagitta < MIN_SAGITTA * self.unit)
+        {
+            self.out.line(to, plane);
             return;
         }
-        let start = self.out.position();
+        let start = self.in_plane(plane, self.out.at);
+        let units = |point: DVec2| [self.out.units(point.x), self.out.units(point.y)];
         if arc.is_full_circle() {
-            self.out.arc(arc.is_clockwise(), start, z, units(arc.center() - in_mm(start)));
+            let offset = units(arc.center() - start);
+            let [first, second, _] = plane.axes();
+            let mut to = to;
+            to[first] = self.out.at[first];
+            to[second] = self.out.at[second];
+            self.out.arc(arc.is_clockwise(), plane, to, offset);
             return;
         }
+        let end = self.in_plane(plane, to);
         let mut center = arc.center();
         if sweep.abs() < PI && start != end {
             // Equally far from both ends as written. Beyond half a circle their rounding would be
             // magnified.
-            let chord = in_mm(end) - in_mm(start);
-            let middle = in_mm(start).midpoint(in_mm(end));
+            let chord = end - start;
+            let middle = start.midpoint(end);
             center -= chord * ((center - middle).dot(chord) / chord.length_squared());
         }
-        let offset = units(center - in_mm(start));
-        let center = in_mm(start) + in_mm(offset);
-        let written =
-            Arc::from_center(in_mm(start), in_mm(end), center, arc.is_clockwise(), f64::INFINITY);
+        let offset = units(center - start);
+        let center = start + DVec2::new(offset[0] as f64, offset[1] as f64) * self.unit;
+        let written = Arc::from_center(start, end, center, arc.is_clockwise(), f64::INFINITY);
         // Rounding moves the ends by parts of a radian at most; more is a turn gained or lost.
         let keeps_its_sweep = written.is_ok_and(|w| (w.sweep() - sweep).abs() < 1.0);
-        let nearly_full = sweep.abs() > 4.7 && in_mm(start).distance(in_mm(end)) < NEARLY_FULL;
+        let nearly_full = sweep.abs() > 4.7 && start.distance(end) < NEARLY_FULL;
         if keeps_its_sweep && !nearly_full {
-            self.out.arc(arc.is_clockwise(), end, z, offset);
+            self.out.arc(arc.is_clockwise(), plane, to, offset);
         } else if let (true, Ok((first, second))) = (sweep.abs() > 1.0, arc.split(0.5)) {
             let middle = 0.5 * (z0 + z1);
-            self.arc(&first, [z0, middle]);
-            self.arc(&second, [middle, z1]);
+            self.arc(&first, plane, [z0, middle]);
+            self.arc(&second, plane, [middle, z1]);
         } else {
-            self.out.line(end, z);
+            self.out.line(to, plane);
         }
     }
 
+    /// A point as written, in a plane [mm].
+    fn in_plane(&self, plane: Plane, place: [i64; 3]) -> DVec2 {
+        let [first, second, _] = plane.axes();
+        DVec2::new(place[first] as f64, place[second] as f64) / self.out.scale
+    }
+
     fn set_feed(&mut self, next: &Move) {
-        if let Some(feed) = next.feed.or(self.feed) {
+        if let Some(feed) = next.feed.or(self.options.feed) {
             self.out.set_feed(feed);
         } else if !self.out.has_feed() {
             self.report_once(
@@ -316,13 +436,4 @@ impl Emitter {
             self.diagnostics.push(diagnostic);
         }
     }
-}
-
-/// A point as written [mm].
-fn in_mm([x, y]: [i64; 2]) -> DVec2 {
-    DVec2::new(x as f64 / SCALE, y as f64 / SCALE)
-}
-
-fn units_of(value: f64) -> i64 {
-    units(DVec2::new(value, 0.0))[0]
 }

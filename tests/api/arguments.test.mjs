@@ -195,8 +195,6 @@ test("what a later version will have is named as such", () => {
   }
   throwsCode(() => parseProgram("", { dialect: "fanuc" }), "not-supported", "options.dialect");
   throwsCode(() => parseProgram("", { profile: "iso" }), "bad-argument", "options.profile");
-  const path = compensate(part, left);
-  throwsCode(() => path.gcode({ target: "fanuc" }), "not-supported", "options.target");
 });
 
 test("arguments of methods", () => {
@@ -210,6 +208,9 @@ test("arguments of methods", () => {
   throwsCode(() => path.gcode({ feed: -5 }), "bad-argument", "options.feed");
   throwsCode(() => path.gcode({ clearance: "5" }), "bad-argument", "options.clearance");
   throwsCode(() => path.gcode({ clearance: Number.NaN }), "bad-argument", "options.clearance");
+  throwsCode(() => path.gcode({ target: "fanuc" }), "bad-argument", "options.target");
+  throwsCode(() => path.gcode({ splines: "nurbs" }), "bad-argument", "options.splines");
+  throwsCode(() => path.gcode({ explain: 1 }), "bad-argument", "options.explain");
   throwsCode(() => path.gcode({ speed: 5 }), "bad-argument", "options.speed");
 });
 

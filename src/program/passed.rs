@@ -1,0 +1,329 @@
+//! Words that move nothing, written for a target: as they are where it knows them, as what it
+//! knows instead, or left out with a diagnostic, never silently.
+
+use super::block_writer::{BlockWriter, comment, push_length};
+use super::number::{push_word, whole};
+use super::target::Comments;
+use crate::diagnostic::{Diagnostic, Origin};
+use crate::geometry::{Decimal, parse_decimal};
+
+/// Letters whose numbers are lengths.
+const LENGTHS: &str = "XYZIJKRUVWQ";
+
+/// How many words that are left out are told one by one.
+const MOST_TOLD: usize = 100;
+
+/// One word or comment of a text.
+#[derive(Debug, Clone, Copy)]
+enum Token<'a> {
+    Comment(&'a str),
+    Word(char, f64),
+}
+
+/// Passes words on, and keeps what it has to say about them.
+#[derive(Debug, Default)]
+pub(super) struct Passing {
+    pub(super) diagnostics: Vec<Diagnostic>,
+    /// Words that were told to be left out, with ten times their number.
+    told: Vec<(char, i64)>,
+    /// The spindle as it turns (M3, M4) and its speed, where they must be said together.
+    spindle: [Option<f64>; 2],
+    /// The T word.
+    tool: Option<f64>,
+}
+
+impl Passing {
+    /// Writes words.
+    pub(super) fn pass(&mut self, out: &mut BlockWriter, text: &str, origin: Origin) {
+        let tokens = tokens(text);
+        let mut line = String::new();
+        let mut comments: Vec<&str> = Vec::new();
+        let is_g =
+            |token: &Token, number: f64| matches!(token, Token::Word('G', n) if *n == number);
+        let machine = tokens.iter().any(|token| is_g(token, 53.0));
+        let mut i = 0;
+        while let Some(&token) = tokens.get(i) {
+            i += 1;
+            let (letter, value) = match token {
+                Token::Comment(text) => {
+                    comments.push(text);
+                    continue;
+                }
+                Token::Word(letter, value) => (letter, value),
+            };
+            let first = i;
+            if matches!(letter, 'G' | 'M') {
+                let with_speed = match letter {
+                    'G' => matches!(tenths(value), 40 | 960),
+                    _ => matches!(tenths(value), 30 | 40),
+                };
+                while let Some(Token::Word(next, _)) = tokens.get(i) {
+                    let ends = match next {
+                        'G' => !machine,
+                        'S' => !with_speed,
+                        'M' | 'T' => true,
+                        _ => false,
+                    };
+                    if ends {
+                        break;
+                    }
+                    i += 1;
+                }
+            }
+            let parameters = &tokens[first..i];
+            match letter {
+                'G' if machine => {
+                    if out.facts.knows_g(530) {
+                        push_command(&mut line, 'G', value, parameters, out);
+                        out.forget_motion();
+                    } else {
+                        self.left_out('G', 53.0, origin);
+                    }
+                }
+                'G' if matches!(tenths(value), 0 | 10) => {
+                    out.words(&line);
+                    line.clear();
+                    let motion = if tenths(value) == 0 { '0' } else { '1' };
+                    let axes = ['X', 'Y', 'Z'].map(|axis| find(parameters, axis));
+                    out.state(motion, axes, find(parameters, 'F'));
+                }
+                'G' => self.g_word(&mut line, value, parameters, out, origin),
+                'M' => self.m_word(&mut line, value, parameters, out, origin),
+                'T' => {
+                    self.tool = Some(value);
+                    if out.facts.tools {
+                        push_command(&mut line, 'T', value, &[], out);
+                    } else {
+                        self.left_out('T', value, origin);
+                    }
+                }
+                'S' if out.facts.single => self.speed(&mut line, value, out),
+                'S' => push_command(&mut line, 'S', value, &[], out),
+                _ => self.left_out(letter, value, origin),
+            }
+            if out.facts.single {
+                out.words(&line);
+                line.clear();
+            }
+        }
+        finish(out, line, &comments);
+    }
+
+    /// A G word that is no motion.
+    fn g_word(
+        &mut self,
+        line: &mut String,
+        value: f64,
+        parameters: &[Token],
+        out: &mut BlockWriter,
+        origin: Origin,
+    ) {
+        let number = tenths(value);
+        let known = u32::try_from(number).is_ok_and(|number| out.facts.knows_g(number));
+        if !known {
+            self.left_out('G', value, origin);
+        } else if number == 40 {
+            let seconds = ['P', 'X', 'U', 'S'].into_iter().find_map(|word| find(parameters, word));
+            push_command(line, 'G', 4.0, &[], out);
+            push_command(line, out.facts.dwell, seconds.unwrap_or(0.0), &[], out);
+        } else {
+            // The value of G64 P is LinuxCNC's own.
+            let alone = number == 640 && out.facts.tape;
+            push_command(line, 'G', value, if alone { &[] } else { parameters }, out);
+        }
+        if matches!(number, 540..=593 | 920) {
+            // The same numbers are another place now.
+            out.forget_place();
+        }
+    }
+
+    fn m_word(
+        &mut self,
+        line: &mut String,
+        value: f64,
+        parameters: &[Token],
+        out: &mut BlockWriter,
+        origin: Origin,
+    ) {
+        let number = tenths(value);
+        if out.facts.single && matches!(number, 30 | 40) {
+            self.spindle[0] = Some(value);
+            self.spindle[1] = find(parameters, 'S').or(self.spindle[1]);
+            push_command(line, 'M', value, &[], out);
+            if let Some(speed) = self.spindle[1] {
+                push_command(line, 'S', speed, &[], out);
+            }
+        } else if u32::try_from(number).is_ok_and(|number| out.facts.knows_m(number)) {
+            if number == 50 {
+                self.spindle[0] = None;
+            }
+            push_command(line, 'M', value, parameters, out);
+        } else if number == 60 {
+            out.words(line);
+            line.clear();
+            let tool = Decimal::of(self.tool.unwrap_or(0.0));
+            out.comment(&format!("change to tool {tool}"));
+            push_command(line, 'M', tenths_of(out.facts.pause), &[], out);
+            self.tell(
+                Diagnostic::info(
+                    "tool-change",
+                    format!(
+                        "{} waits for the change to tool {tool}: the target knows no M6",
+                        out.facts.pause
+                    ),
+                )
+                .with_origin(origin),
+            );
+        } else if out.facts.single && matches!(number, 20 | 300) {
+            // The end of the text is the end of the program.
+            self.tell(
+                Diagnostic::info(
+                    "noted",
+                    "the program ends with its text: the target knows no M2 or M30",
+                )
+                .with_origin(origin),
+            );
+        } else {
+            self.left_out('M', value, origin);
+        }
+    }
+
+    /// A speed where it must stand beside M3 or M4.
+    fn speed(&mut self, line: &mut String, value: f64, out: &BlockWriter) {
+        self.spindle[1] = Some(value);
+        if let Some(turning) = self.spindle[0] {
+            push_command(line, 'M', turning, &[], out);
+            push_command(line, 'S', value, &[], out);
+        }
+    }
+
+    /// Says that a word is left out, once.
+    fn left_out(&mut self, letter: char, value: f64, origin: Origin) {
+        let word = (letter, tenths(value));
+        if self.told.contains(&word) || self.told.len() > MOST_TOLD {
+            return;
+        }
+        self.told.push(word);
+        let message =
+            format!("{letter}{} is left out: the target does not know it", Decimal::of(value));
+        self.diagnostics.push(
+            Diagnostic::warning("left-out", message)
+                .with_origin(origin)
+                .with_hint("do on the machine what it would do"),
+        );
+    }
+
+    fn tell(&mut self, diagnostic: Diagnostic) {
+        if self.diagnostics.len() <= MOST_TOLD {
+            self.diagnostics.push(diagnostic);
+        }
+    }
+}
+
+/// Comments stand behind the words; alone where only `;` begins one.
+fn finish(out: &mut BlockWriter, mut line: String, comments: &[&str]) {
+    let style = out.facts.comments;
+    for text in comments {
+        let inner = text.strip_prefix(['(', ';']).unwrap_or(text);
+        let inner = inner.strip_suffix(')').filter(|_| text.starts_with('(')).unwrap_or(inner);
+        if style == Comments::Semicolon {
+            out.words(&line);
+            line.clear();
+            out.comment(inner);
+            continue;
+        }
+        if !line.is_empty() {
+            line.push(' ');
+        }
+        if style == Comments::Both {
+            line.push_str(text);
+        } else {
+            line.push_str(&comment(style, inner));
+        }
+    }
+    if line.starts_with('(') {
+        out.line_of_comments(&line);
+    } else {
+        out.words(&line);
+    }
+}
+
+/// The number of the program that words begin with, as a comment has it.
+pub(super) fn program_number(words: &str) -> Option<u32> {
+    let digits = words.strip_prefix("(O")?.split(')').next()?;
+    parse_decimal(digits).and_then(whole)
+}
+
+/// Whether words choose a coordinate system.
+pub(super) fn has_frame(words: &str) -> bool {
+    tokens(words).iter().any(|token| match token {
+        Token::Word('G', value) => matches!(tenths(*value), 540..=593 | 920),
+        _ => false,
+    })
+}
+
+/// The words and comments of a text that the reader made.
+fn tokens(text: &str) -> Vec<Token<'_>> {
+    let mut tokens = Vec::new();
+    let mut rest = text.trim_start();
+    while let Some(letter) = rest.chars().next() {
+        let is_number = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.');
+        let end = match letter {
+            ';' => rest.len(),
+            '(' => rest.find(')').map_or(rest.len(), |end| end + 1),
+            _ => {
+                let after = letter.len_utf8();
+                rest[after..].find(|c| !is_number(c)).map_or(rest.len(), |end| after + end)
+            }
+        };
+        let (token, tail) = rest.split_at(end);
+        if matches!(letter, ';' | '(') {
+            tokens.push(Token::Comment(token));
+        } else if let Some(value) = token.get(1..).and_then(parse_decimal) {
+            tokens.push(Token::Word(letter, value));
+        }
+        rest = tail.trim_start();
+    }
+    tokens
+}
+
+fn find(tokens: &[Token], letter: char) -> Option<f64> {
+    tokens.iter().find_map(|token| match token {
+        Token::Word(found, value) if *found == letter => Some(*value),
+        _ => None,
+    })
+}
+
+fn push_command(
+    line: &mut String,
+    letter: char,
+    value: f64,
+    parameters: &[Token],
+    out: &BlockWriter,
+) {
+    if !line.is_empty() {
+        line.push(' ');
+    }
+    if LENGTHS.contains(letter) {
+        push_length(line, letter, out.units(value), out.facts);
+    } else {
+        push_word(line, letter, value);
+    }
+    for parameter in parameters {
+        if let Token::Word(letter, value) = *parameter {
+            push_command(line, letter, value, &[], out);
+        }
+    }
+}
+
+/// Ten times the number of a word.
+fn tenths(value: f64) -> i64 {
+    #[expect(clippy::cast_possible_truncation, reason = "at most 1e10")]
+    let tenths = (value * 10.0).round() as i64;
+    tenths
+}
+
+/// The number of an M word by its text.
+fn tenths_of(word: &str) -> f64 {
+    word.get(1..).and_then(parse_decimal).unwrap_or(0.0)
+}
