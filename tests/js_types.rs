@@ -16,7 +16,7 @@ use g41::js::{
     Numbering, RECORD_STRIDE, contours_json, diagnostics_json, gouges_json, loops_json,
     transitions_json, uncut_json,
 };
-use g41::program::{ProgrammedContour, RadiusSource};
+use g41::program::{ContourEnd, ProgrammedContour, RadiusSource};
 use glam::{DVec2, dvec2};
 
 const BLOCK: Origin = Origin::Block { line: 3, number: Some(20), column: Some(5) };
@@ -137,7 +137,16 @@ fn contours() -> Vec<ProgrammedContour> {
         let built = builder.build(closed);
         assert_eq!(built.diagnostics, [], "the samples are right");
         let contour = built.contour.expect("it has segments");
-        ProgrammedContour { contour, side, radius, unit: 1.0, blocks: [2, 9] }
+        ProgrammedContour {
+            contour,
+            side,
+            radius,
+            unit: 1.0,
+            orientation: 0,
+            leads_in: false,
+            end: ContourEnd::Off,
+            blocks: [2, 9],
+        }
     };
     vec![
         contour(&open, false, Side::Left, RadiusSource::Tool(7)),

@@ -13,6 +13,7 @@ mod avoid;
 mod corner;
 mod lead;
 mod live;
+mod lookahead;
 mod meet;
 mod offset;
 mod options;
@@ -28,6 +29,7 @@ mod whole;
 pub use assemble::compensate;
 pub use avoid::{avoid, avoid_all};
 pub use live::{EditError, LiveContour, Update};
+pub use lookahead::{Passage, look_ahead};
 pub use offset::{ProvedPiece, proved_offset};
 pub use options::{
     CornerStyle, GougePolicy, LeadStyle, MIN_TOLERANCE, Options, Output, Passes, SplineMethod,

@@ -77,6 +77,7 @@ impl PathBuilder {
                 reset: None,
                 origin: event.origin,
             }),
+            EventKind::Stop => {}
             EventKind::Vertical(attributes) => {
                 let at = self.position().unwrap_or(at);
                 self.push(MoveCurve::Vertical(at), Role::Segment, attributes, attributes.heights);

@@ -3,9 +3,10 @@
 use super::as_arcs::{ARC_SHARE, as_arcs};
 use super::assemble::{compensate_traced, usable};
 use super::avoid::avoid_all;
+use super::lookahead::{Passage, look_ahead};
 use super::passes::pocket;
 use super::whole::Trace;
-use super::{GougePolicy, Options, Output, Passes};
+use super::{GougePolicy, LeadStyle, Options, Output, Passes};
 use crate::contour::{Contour, Tool, ToolPath};
 use crate::diagnostic::Diagnostic;
 
@@ -33,6 +34,14 @@ pub fn compensate_all(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath 
     let mut path = ToolPath::default();
     // Contours that follow each other with the same tool are walls to each other.
     for group in jobs.chunk_by(|a, b| a.1.radius() == b.1.radius()) {
+        if options.lead == LeadStyle::LinuxCnc
+            && group.iter().any(|(contour, _)| contour.lead_in().is_some())
+        {
+            for &(contour, tool) in group {
+                path.append(look_ahead(contour, tool, options, &Passage::default()).0);
+            }
+            continue;
+        }
         let mut part = ToolPath::default();
         let (mut trace, mut tolerance) = (Trace::default(), 0.0_f64);
         for &(contour, tool) in group {

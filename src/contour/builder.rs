@@ -94,13 +94,27 @@ pub struct ContourBuilder {
     lead_in: Option<Lead>,
     lead_out: Option<Lead>,
     events: Vec<Event>,
+    keeps_centers: bool,
 }
 
 impl ContourBuilder {
     /// A contour that starts at `start` [mm].
     #[must_use]
     pub fn new(start: DVec2) -> Self {
-        Self { start, described: Vec::new(), lead_in: None, lead_out: None, events: Vec::new() }
+        Self {
+            start,
+            described: Vec::new(),
+            lead_in: None,
+            lead_out: None,
+            events: Vec::new(),
+            keeps_centers: false,
+        }
+    }
+
+    /// Leaves centre and ends of arcs as they are stated, though rounding may make their distances
+    /// differ; otherwise the centre moves to where it is equally far from both.
+    pub fn keep_centers(&mut self) {
+        self.keeps_centers = true;
     }
 
     /// Adds a segment.
@@ -224,7 +238,15 @@ impl ContourBuilder {
                 }
                 Shape::Line { to } => Line::new(from, *to).map(Curve::Line),
                 Shape::Arc { to, center, clockwise } => {
-                    Arc::from_center(from, *to, *center, *clockwise, ARC_TOLERANCE).map(Curve::Arc)
+                    Arc::from_center(from, *to, *center, *clockwise, ARC_TOLERANCE)
+                        .and_then(|arc| {
+                            if self.keeps_centers {
+                                Arc::winding(from, *to, *center, *clockwise)
+                            } else {
+                                Ok(arc)
+                            }
+                        })
+                        .map(Curve::Arc)
                 }
                 Shape::ArcByRadius { to, radius, form, clockwise } => {
                     Arc::from_radius(from, *to, *radius, *form, *clockwise, ARC_TOLERANCE)

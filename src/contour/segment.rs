@@ -68,6 +68,8 @@ pub enum EventKind {
     Words(String),
     /// A move along z alone.
     Vertical(Attributes),
+    /// The machine waits for its operator: what was made up to here is made to its end.
+    Stop,
 }
 
 /// The programmed boundary of the part.

@@ -10,7 +10,8 @@ use super::{Bounds, CurveError, MIN_LENGTH, Nearest, curve::checked_point, perp,
 ///
 /// # Guarantees
 /// Start, end and centre are finite and at most 1e9 mm. The
-/// radius is at least [`MIN_LENGTH`] and the distance of both ends from the centre, up to rounding.
+/// radius is at least [`MIN_LENGTH`] and the distance of both ends from the centre, up to rounding;
+/// of one that winds in or out it is that of its start.
 /// The sweep is in `[-2π, 2π]` and not zero; the length is at least [`MIN_LENGTH`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arc {
@@ -80,6 +81,33 @@ impl Arc {
             return Err(CurveError::ZeroLength);
         }
         let sweep = sweep_between(start - center, end - center, clockwise);
+        Ok(Self { start, end, center, radius, sweep })
+    }
+
+    /// The arc from `start` to `end` about `center` [mm] as it is stated, a full turn where start and
+    /// end coincide. Where the end is not as far from the centre as the start, it winds in or out by
+    /// that much, of which only its end point tells.
+    ///
+    /// # Errors
+    /// [`CurveError::OutOfRange`], or [`CurveError::ZeroLength`] where the centre is on the start.
+    pub fn winding(
+        start: DVec2,
+        end: DVec2,
+        center: DVec2,
+        clockwise: bool,
+    ) -> Result<Self, CurveError> {
+        for point in [start, end, center] {
+            checked_point(point)?;
+        }
+        let radius = start.distance(center);
+        if radius < MIN_LENGTH {
+            return Err(CurveError::ZeroLength);
+        }
+        let sweep = if start.distance(end) < MIN_LENGTH {
+            if clockwise { -TAU } else { TAU }
+        } else {
+            sweep_between(start - center, end - center, clockwise)
+        };
         Ok(Self { start, end, center, radius, sweep })
     }
 

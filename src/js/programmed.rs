@@ -12,7 +12,7 @@ use crate::program::{ProgrammedContour, RadiusSource};
 #[must_use]
 pub fn contours_json<'a>(contours: impl IntoIterator<Item = &'a ProgrammedContour>) -> String {
     list(contours, |object, programmed| {
-        let ProgrammedContour { contour, side, radius, unit: _, blocks } = programmed;
+        let ProgrammedContour { contour, side, radius, blocks, .. } = programmed;
         object.point("start", contour.start());
         object.list("segments", contour.segments(), write_segment);
         object.truth("closed", contour.is_closed());

@@ -11,11 +11,14 @@ pub(super) struct Auxiliary<'a> {
     comments: &'a [String],
     /// Whether the program ends with this block.
     pub(super) end: bool,
+    /// Whether the machine waits after this block.
+    pub(super) stops: bool,
 }
 
 impl<'a> Auxiliary<'a> {
     pub(super) fn new(block: &'a Block) -> Self {
-        Self { before: String::new(), after: String::new(), comments: &block.comments, end: false }
+        let (before, after) = (String::new(), String::new());
+        Self { before, after, comments: &block.comments, end: false, stops: false }
     }
 
     /// A word that acts before the move.
@@ -34,7 +37,9 @@ impl<'a> Auxiliary<'a> {
     pub(super) fn m_word(&mut self, tenths: u32, value: f64) {
         match tenths {
             0 | 10 | 20 | 300 | 600 => {
-                self.end |= matches!(tenths, 20 | 300);
+                let ends = matches!(tenths, 20 | 300);
+                self.end |= ends;
+                self.stops |= !ends;
                 space(&mut self.after);
                 push_word(&mut self.after, 'M', value);
             }

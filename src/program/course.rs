@@ -47,8 +47,26 @@ pub struct ProgrammedContour {
     /// The unit of coordinates in effect at the word that switches on [mm]: diameters of a table of
     /// tools that names no unit count in it.
     pub unit: f64,
+    /// Which way the tip of the tool points where the program itself gives the radius, as lathe tools
+    /// are numbered: 1 to 9, or 0.
+    pub orientation: u8,
+    /// Whether its first segment is itself the lead-in: an arc, or all that there is.
+    pub leads_in: bool,
+    /// How it ends.
+    pub end: ContourEnd,
     /// The line of the word that switches on, and the last line that belongs to the contour.
     pub blocks: [u32; 2],
+}
+
+/// How a programmed contour ends.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ContourEnd {
+    /// Compensation is switched off, or the program ends.
+    Off,
+    /// The control stops in the middle of it, and makes no move whose end it does not know yet.
+    CutOff,
+    /// It is switched off, but unless its tool has no radius the control stops at what follows.
+    Refused(Box<Diagnostic>),
 }
 
 /// Where a tool radius comes from.
@@ -65,6 +83,7 @@ pub enum RadiusSource {
 pub(super) struct SwitchOn {
     pub(super) side: Side,
     pub(super) radius: RadiusSource,
+    pub(super) orientation: u8,
     pub(super) unit: f64,
     pub(super) origin: Origin,
 }
@@ -75,6 +94,8 @@ pub(super) struct Course {
     items: Vec<Item>,
     state: State,
     rules: Rules,
+    /// Compensation was switched off, and no straight move has followed yet.
+    needs_a_line: bool,
 }
 
 #[derive(Debug)]
@@ -96,20 +117,33 @@ struct Open {
     builder: ContourBuilder,
     start: DVec2,
     lead_in: Option<Lead>,
+    leads_in: bool,
     /// The events once more, for when no contour comes of it.
     events: Vec<(EventKind, Origin)>,
     last_line: u32,
 }
 
 impl Open {
-    fn new(switched: SwitchOn, start: DVec2, lead_in: Option<Lead>) -> Box<Self> {
-        let mut builder = ContourBuilder::new(start);
+    fn new(switched: SwitchOn, start: DVec2, lead_in: Option<Lead>, rules: Rules) -> Box<Self> {
+        let mut builder = builder_at(start, rules);
         let mut last_line = line_of(switched.origin);
         if let Some(lead) = lead_in {
             builder.lead_in(lead);
             last_line = line_of(lead.attributes.origin);
         }
-        Box::new(Self { switched, builder, start, lead_in, events: Vec::new(), last_line })
+        let events = Vec::new();
+        Box::new(Self { switched, builder, start, lead_in, leads_in: false, events, last_line })
+    }
+
+    /// The lead-in is all that there is of the contour.
+    fn lead_becomes_contour(&mut self, rules: Rules) {
+        let Some(Lead { point, attributes }) = self.lead_in else { return };
+        self.builder = builder_at(point, rules);
+        self.builder.segment(Shape::Line { to: self.start }, attributes);
+        for (kind, origin) in &self.events {
+            self.builder.event(kind.clone(), *origin);
+        }
+        self.leads_in = true;
     }
 
     fn event(&mut self, kind: EventKind, origin: Origin) {
@@ -121,7 +155,7 @@ impl Open {
 
 impl Course {
     pub(super) fn new(rules: Rules) -> Self {
-        Self { items: Vec::new(), state: State::Off, rules }
+        Self { items: Vec::new(), state: State::Off, rules, needs_a_line: false }
     }
 
     /// Whether moves are free, apart from a lead-in.
@@ -156,13 +190,38 @@ impl Course {
         }
     }
 
+    /// Whether a move without way in the plane is nevertheless one that leads in or out.
+    pub(super) fn takes_any_lead(&self) -> bool {
+        self.rules.any_lead && matches!(self.state, State::Waiting(_) | State::Ending(_))
+    }
+
     /// A move along z at `at` [mm].
-    pub(super) fn vertical(&mut self, at: DVec2, attributes: Attributes) {
+    pub(super) fn vertical(&mut self, at: DVec2, attributes: Attributes, report: &mut Report) {
+        if self.takes_any_lead() {
+            self.line(at, at, attributes, report);
+            return;
+        }
         match &mut self.state {
             State::Off | State::Waiting(_) => self.free(MoveCurve::Vertical(at), &attributes),
             State::On(open) | State::Ending(open) => {
                 open.event(EventKind::Vertical(attributes), attributes.origin);
             }
+        }
+    }
+
+    /// The machine waits for its operator (M0, M1, M60).
+    pub(super) fn stop(&mut self, origin: Origin) {
+        if let State::On(open) = &mut self.state {
+            open.event(EventKind::Stop, origin);
+        }
+    }
+
+    /// The control stops: of a contour that is open it makes what it is sure of.
+    pub(super) fn cut_off(&mut self, report: &mut Report) {
+        match std::mem::replace(&mut self.state, State::Off) {
+            State::Off | State::Waiting(_) => {}
+            State::On(open) => self.close(open, None, ContourEnd::CutOff, report),
+            State::Ending(open) => self.close(open, None, ContourEnd::Off, report),
         }
     }
 
@@ -178,7 +237,7 @@ impl Course {
             State::Off => self.free_curve(from, Shape::Line { to }, attributes, report),
             State::Waiting(switched) => {
                 let lead_in = Lead { point: from, attributes };
-                self.state = State::On(Open::new(switched, to, Some(lead_in)));
+                self.state = State::On(Open::new(switched, to, Some(lead_in), self.rules));
             }
             State::On(mut open) => {
                 open.builder.segment(Shape::Line { to }, attributes);
@@ -186,9 +245,11 @@ impl Course {
                 self.state = State::On(open);
             }
             State::Ending(open) => {
-                self.close(open, Some(Lead { point: to, attributes }), report);
+                let lead = Lead { point: to, attributes };
+                self.close(open, Some(lead), ContourEnd::Off, report);
             }
         }
+        self.needs_a_line = false;
     }
 
     /// An arc or a spline.
@@ -200,10 +261,14 @@ impl Course {
         report: &mut Report,
     ) {
         let origin = attributes.origin;
+        if self.needs_a_line {
+            self.refuse_arc(from, origin);
+        }
         match std::mem::replace(&mut self.state, State::Off) {
             State::Off => self.free_curve(from, shape, attributes, report),
             State::Waiting(switched) => {
-                if !(self.rules.arc_lead_in && matches!(shape, Shape::Arc { .. })) {
+                let leads_in = self.rules.any_lead;
+                if !leads_in {
                     report.push(
                         Diagnostic::error(
                             "curved-lead-in",
@@ -216,7 +281,8 @@ impl Course {
                         ),
                     );
                 }
-                let mut open = Open::new(switched, from, None);
+                let mut open = Open::new(switched, from, None, self.rules);
+                open.leads_in = leads_in;
                 open.builder.segment(shape, attributes);
                 open.last_line = line_of(origin);
                 self.state = State::On(open);
@@ -225,6 +291,11 @@ impl Course {
                 open.builder.segment(shape, attributes);
                 open.last_line = line_of(origin);
                 self.state = State::On(open);
+            }
+            State::Ending(open) if self.rules.any_lead => {
+                self.close(open, None, ContourEnd::Off, report);
+                self.refuse_arc(from, origin);
+                self.free_curve(from, shape, attributes, report);
             }
             State::Ending(open) => {
                 report.push(
@@ -236,7 +307,7 @@ impl Course {
                     .with_point(from)
                     .with_hint("lead out with a straight move (G00 or G01) first"),
                 );
-                self.close(open, None, report);
+                self.close(open, None, ContourEnd::Off, report);
                 self.free_curve(from, shape, attributes, report);
             }
         }
@@ -270,9 +341,14 @@ impl Course {
                     open.switched = switched;
                     self.state = State::On(open);
                 } else {
-                    self.close(open, None, report);
-                    self.state = State::On(Open::new(switched, at, None));
+                    self.close(open, None, ContourEnd::Off, report);
+                    self.state = State::On(Open::new(switched, at, None, self.rules));
                 }
+            }
+            State::Ending(open) if self.rules.any_lead => {
+                self.close(open, None, ContourEnd::Off, report);
+                self.state = State::Waiting(switched);
+                self.needs_a_line = true;
             }
             State::Ending(open) => {
                 report.push(
@@ -284,7 +360,7 @@ impl Course {
                     .with_point(at)
                     .with_hint("lead out with a straight move before G41 or G42"),
                 );
-                self.close(open, None, report);
+                self.close(open, None, ContourEnd::Off, report);
                 self.state = State::Waiting(switched);
             }
         }
@@ -305,14 +381,14 @@ impl Course {
     pub(super) fn end(&mut self, origin: Option<Origin>, report: &mut Report) {
         match std::mem::replace(&mut self.state, State::Off) {
             State::Off | State::Waiting(_) => {}
-            State::Ending(open) => self.close(open, None, report),
+            State::Ending(open) => self.close(open, None, ContourEnd::Off, report),
             State::On(open) => {
                 let mut diagnostic =
                     Diagnostic::warning("compensation-left-on", "the program ends without G40")
                         .with_hint("lead out with G40 and a straight move");
                 diagnostic.origin = origin;
                 report.push(diagnostic);
-                self.close(open, None, report);
+                self.close(open, None, ContourEnd::Off, report);
             }
         }
     }
@@ -322,7 +398,16 @@ impl Course {
     }
 
     /// Makes the contour, or free moves where there is nothing to compensate.
-    fn close(&mut self, mut open: Box<Open>, lead_out: Option<Lead>, report: &mut Report) {
+    fn close(
+        &mut self,
+        mut open: Box<Open>,
+        lead_out: Option<Lead>,
+        end: ContourEnd,
+        report: &mut Report,
+    ) {
+        if self.rules.any_lead && open.builder.is_empty() {
+            open.lead_becomes_contour(self.rules);
+        }
         let mut last_line = open.last_line;
         if let Some(lead) = lead_out {
             open.builder.lead_out(lead);
@@ -338,6 +423,9 @@ impl Course {
                     side: open.switched.side,
                     radius: open.switched.radius,
                     unit: open.switched.unit,
+                    orientation: open.switched.orientation,
+                    leads_in: open.leads_in,
+                    end,
                     blocks: [line_of(open.switched.origin), last_line],
                 }));
                 return;
@@ -361,10 +449,29 @@ impl Course {
                     self.items.push(Item::Words { words, reset: None, origin });
                 }
                 EventKind::Vertical(attributes) => self.free(MoveCurve::Vertical(at), &attributes),
+                EventKind::Stop => {}
             }
         }
         if let Some(lead) = lead_out {
             self.free_line(at, lead.point, &lead.attributes);
+        }
+    }
+
+    /// An arc may not follow G40, unless there was no radius to compensate.
+    fn refuse_arc(&mut self, from: DVec2, origin: Origin) {
+        self.needs_a_line = false;
+        let last = self.items.iter_mut().rev().find_map(|item| match item {
+            Item::Contour(contour) => Some(contour),
+            Item::Free(_) | Item::Words { .. } => None,
+        });
+        if let Some(contour) = last {
+            let message = "the first move without compensation is an arc or a spline";
+            contour.end = ContourEnd::Refused(Box::new(
+                Diagnostic::error("curved-lead-out", message)
+                    .with_origin(origin)
+                    .with_point(from)
+                    .with_hint("lead out with a straight move (G00 or G01) first"),
+            ));
         }
     }
 
@@ -382,7 +489,7 @@ impl Course {
         attributes: Attributes,
         report: &mut Report,
     ) {
-        let mut builder = ContourBuilder::new(from);
+        let mut builder = builder_at(from, self.rules);
         builder.segment(shape, attributes);
         let built = builder.build(false);
         // Why there is no segment is said by the diagnostic before.
@@ -412,6 +519,15 @@ impl Course {
             origin: attributes.origin,
         }));
     }
+}
+
+/// A contour that starts at `start` [mm].
+fn builder_at(start: DVec2, rules: Rules) -> ContourBuilder {
+    let mut builder = ContourBuilder::new(start);
+    if rules.any_lead {
+        builder.keep_centers();
+    }
+    builder
 }
 
 /// The line of a block.

@@ -51,12 +51,16 @@ pub(super) struct Interpreter {
     pub(super) spline: Option<PendingSpline>,
     /// Words since its last type point, whether they are comments only, and their block.
     waiting: Vec<(String, bool, Origin)>,
+    pub(super) rules: Rules,
+    /// The control has refused to go on.
+    pub(super) is_refused: bool,
 }
 
 impl Interpreter {
     pub(super) fn new(rules: Rules) -> Self {
         let (modal, course) = (Modal::new(), Course::new(rules));
-        Self { modal, course, report: Report::default(), spline: None, waiting: Vec::new() }
+        let report = Report::default();
+        Self { modal, course, report, spline: None, waiting: Vec::new(), rules, is_refused: false }
     }
 
     pub(super) fn block(&mut self, block: &Block) -> Flow {
@@ -73,6 +77,9 @@ impl Interpreter {
         if let Some((tenths, column)) = demands.family {
             self.spline_family(block, tenths, column, &mut words, &mut demands);
         }
+        if self.is_refused {
+            return Flow::End;
+        }
         if self.ends_spline(&demands, &words) {
             self.finish_spline();
         }
@@ -84,10 +91,13 @@ impl Interpreter {
         if demands.no_move {
             words.take_all(GEOMETRY);
         }
-        let (end, only_comments) = (auxiliary.end, !auxiliary.has_words());
+        let (end, stops, only_comments) = (auxiliary.end, auxiliary.stops, !auxiliary.has_words());
         let (before, after) = auxiliary.finish();
         self.pass_on(before, only_comments, block.origin());
         self.compensation(block, demands.compensation, &mut words);
+        if self.is_refused {
+            return Flow::End;
+        }
         if let Some(motion) = self.modal.motion
             && !demands.no_move
         {
@@ -102,12 +112,24 @@ impl Interpreter {
             words.take_all(GEOMETRY);
         }
         self.not_understood(block, &words);
+        if stops {
+            self.course.stop(block.origin());
+        }
         if end {
             self.finish_spline();
             self.course.end(Some(block.origin()), &mut self.report);
         }
         self.pass_on(after, false, block.origin());
         if end { Flow::End } else { Flow::Next }
+    }
+
+    /// The control goes no further: what it is asked for may not be while compensation is on.
+    pub(super) fn refuse(&mut self, message: &str, origin: Origin) {
+        let hint = "the control stops here, and so does the path";
+        self.error("refused", message, origin, hint);
+        self.finish_spline();
+        self.course.cut_off(&mut self.report);
+        self.is_refused = true;
     }
 
     pub(super) fn error(
@@ -351,7 +373,10 @@ impl Interpreter {
     }
 
     fn changed_while_on(&mut self, block: &Block, word: &Word, what: &str) {
-        if self.course.side().is_some() {
+        if self.rules.is_strict && self.course.switched().is_some() {
+            let message = format!("{what} may not change while compensation is on");
+            self.refuse(&message, block.origin_at(word.column));
+        } else if self.course.side().is_some() {
             let message = format!("{what} changes while compensation is on");
             self.report.warning(
                 "changed-while-on",

@@ -29,7 +29,7 @@ mod type_points;
 mod words;
 
 pub use block::{Block, Word};
-pub use course::{Item, ProgrammedContour, RadiusSource};
+pub use course::{ContourEnd, Item, ProgrammedContour, RadiusSource};
 pub use dialect::Dialect;
 pub use emit::{EmitOptions, Emitted, SplineOutput, emit};
 pub use reader::Program;

@@ -76,6 +76,11 @@ impl Modal {
         self.radius_number = None;
     }
 
+    /// The tool that the last M6 put into the spindle, 0 for none.
+    pub(super) fn loaded_tool(&self) -> u32 {
+        self.loaded.unwrap_or(0)
+    }
+
     /// The tool in the spindle. A program without M6 changes tools by T alone.
     pub(super) fn active_tool(&self) -> u32 {
         self.loaded.or(self.selected).unwrap_or(0)

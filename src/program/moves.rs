@@ -142,8 +142,8 @@ impl Interpreter {
         let moves_in_plane = from.truncate().distance(to.truncate()) >= MIN_LENGTH;
         if moves_in_plane {
             self.course.line(from.truncate(), to.truncate(), attributes, &mut self.report);
-        } else if from.z != to.z {
-            self.course.vertical(from.truncate(), attributes);
+        } else if from.z != to.z || self.course.takes_any_lead() {
+            self.course.vertical(from.truncate(), attributes, &mut self.report);
         }
         if self.course.is_free() {
             self.first_positions(axes, to, moves_in_plane, &attributes);

@@ -4,6 +4,11 @@
 /// textbook's machine does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub struct Rules {
-    /// An arc may be the first move of compensation.
-    pub arc_lead_in: bool,
+    /// Any move leads in, an arc too, and any straight one leads out, along the normal of the plane
+    /// or of no length too; arcs are taken as they are stated.
+    pub any_lead: bool,
+    /// What may not change while compensation is on ends the program where it is asked for.
+    pub is_strict: bool,
+    /// Without a D word, and with D0, the tool is the one that the last M6 put into the spindle.
+    pub spindle_tool: bool,
 }

@@ -29,7 +29,7 @@ pub fn interpret(program: &Program, rules: Rules) -> Interpretation {
     }
     interpreter.finish_spline();
     interpreter.course.end(last, &mut interpreter.report);
-    if let Some(block) = blocks.next() {
+    if let Some(block) = blocks.next().filter(|_| !interpreter.is_refused) {
         interpreter.report.push(after_end(block.line));
     }
     interpreter.report.extend(program.diagnostics.iter().cloned());

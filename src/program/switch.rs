@@ -26,6 +26,16 @@ impl Interpreter {
             self.error("not-supported", message, origin, "it stays off");
             return;
         }
+        if self.rules.is_strict
+            && matches!(demand, Some((Compensation::Tool(_) | Compensation::Diameter(_), _)))
+            && self.course.switched().is_some()
+        {
+            self.refuse("compensation is on already", origin);
+            return;
+        }
+        if self.rules.spindle_tool {
+            self.modal.radius_number = None;
+        }
         let at = self.modal.position.truncate();
         let unit = self.modal.unit();
         let switched = match demand {
@@ -41,17 +51,19 @@ impl Interpreter {
                     return;
                 };
                 let radius = RadiusSource::Given(0.5 * diameter.value * unit);
-                Some(SwitchOn { side, radius, unit, origin })
+                let orientation = self.orientation(block, words.take('L'));
+                Some(SwitchOn { side, radius, orientation, unit, origin })
             }
             Some((Compensation::Tool(side), _)) => {
                 self.read_radius_number(block, number);
-                Some(SwitchOn { side, radius: self.radius_source(origin), unit, origin })
+                let radius = self.radius_source(origin);
+                Some(SwitchOn { side, radius, orientation: 0, unit, origin })
             }
             None if number.is_some() => {
                 self.read_radius_number(block, number);
                 self.course.switched().map(|before| {
                     let radius = self.radius_source(origin);
-                    SwitchOn { side: before.side, radius, unit, origin }
+                    SwitchOn { side: before.side, radius, orientation: 0, unit, origin }
                 })
             }
             None => None,
@@ -74,8 +86,30 @@ impl Interpreter {
         }
     }
 
+    /// Which way the tip of a lathe tool points (L).
+    fn orientation(&mut self, block: &Block, word: Option<&Word>) -> u8 {
+        let Some(word) = word else { return 0 };
+        if self.modal.other_plane.is_none() && self.rules.is_strict {
+            let message = "only in the plane G18 has a tool an orientation (L)";
+            self.refuse(message, block.origin_at(word.column));
+            return 0;
+        }
+        let number = whole(word.value).and_then(|number| u8::try_from(number).ok());
+        if let Some(number) = number.filter(|number| *number <= 9) {
+            return number;
+        }
+        let message = format!("L{} is no orientation of a lathe tool", Decimal::of(word.value));
+        let at = block.origin_at(word.column);
+        self.error("bad-orientation", message, at, "it is a whole number from 0 to 9");
+        0
+    }
+
     /// The radius that G41 and G42 ask for.
     fn radius_source(&mut self, origin: Origin) -> RadiusSource {
+        if self.rules.spindle_tool {
+            let number = self.modal.radius_number.filter(|number| *number > 0);
+            return RadiusSource::Tool(number.unwrap_or(self.modal.loaded_tool()));
+        }
         match self.modal.radius_number {
             Some(0) => {
                 self.report.warning(

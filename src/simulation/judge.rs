@@ -1,6 +1,7 @@
 //! Judging the tool path of a whole program.
 
 use super::Tools;
+use super::ahead::part;
 use crate::contour::{Gouge, Move, ToolPath};
 use crate::diagnostic::Origin;
 use crate::gouge::check;
@@ -24,7 +25,11 @@ pub fn check_program(
         let own = |step: &&Move| comes_from(step, programmed);
         let moves = path.moves.iter().filter(own).copied().collect();
         let own = ToolPath { moves, ..ToolPath::default() };
-        gouges.append(&mut check(&programmed.contour, &own, radius, tolerance));
+        if !programmed.leads_in {
+            gouges.append(&mut check(&programmed.contour, &own, radius, tolerance));
+        } else if let Some(contour) = part(programmed) {
+            gouges.append(&mut check(&contour, &own, radius, tolerance));
+        }
     }
     gouges
 }

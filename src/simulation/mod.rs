@@ -1,5 +1,6 @@
 //! Where stages meet: a program and its tools become one tool path, and a path is judged.
 
+mod ahead;
 mod judge;
 mod profile;
 mod program_path;

@@ -47,6 +47,7 @@ impl Profile {
     /// How the control reads the words of compensation.
     #[must_use]
     pub fn rules(self) -> Rules {
-        Rules { arc_lead_in: self == Self::LinuxCnc }
+        let is_linuxcnc = self == Self::LinuxCnc;
+        Rules { any_lead: is_linuxcnc, is_strict: is_linuxcnc, spindle_tool: is_linuxcnc }
     }
 }

@@ -1,10 +1,13 @@
 //! The tool path of a whole program: its contours compensated, everything else in its place.
 
-use glam::DVec2;
+use glam::{DVec2, DVec3};
 
 use super::Tools;
-use crate::compensation::{GougePolicy, Options, compensate_all, refuse_gouges};
-use crate::contour::{AuxiliaryWords, Contour, Move, MoveCurve, Role, Tool, ToolPath};
+use super::ahead::with_look_ahead;
+use crate::compensation::{GougePolicy, LeadStyle, Options, compensate_all, refuse_gouges};
+use crate::contour::{
+    Attributes, AuxiliaryWords, Contour, EventKind, Lead, Move, MoveCurve, Role, Tool, ToolPath,
+};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Decimal, Line, MIN_LENGTH};
 use crate::gouge::check;
@@ -44,6 +47,9 @@ pub fn compensate_program(
             }
             Item::Contour(programmed) => course.contour(programmed, tools, &each),
         }
+        if course.is_stopped {
+            break;
+        }
     }
     if options.gouge == GougePolicy::Stop {
         refuse_gouges(&mut course.path);
@@ -57,25 +63,30 @@ struct Course {
     path: ToolPath,
     /// Whether the coordinates are others since the last move: the next one starts where it says.
     is_reset: bool,
+    /// The control has refused to go on.
+    is_stopped: bool,
 }
 
 impl Course {
     /// Where the tool is, once it has moved [mm].
-    fn position(&self) -> Option<DVec2> {
-        self.path.moves.last().map(|last| last.curve.end())
+    fn position(&self) -> Option<DVec3> {
+        let last = self.path.moves.last()?;
+        Some(last.plane.place(last.curve.end(), last.heights[1]))
     }
 
-    /// Where the tool is, if that is not `start`.
-    fn elsewhere(&mut self, start: DVec2) -> Option<DVec2> {
+    /// Where the tool is, in the plane of `next` and above it, if that is not where `next` starts
+    /// in the plane.
+    fn elsewhere(&mut self, next: &Move) -> Option<(DVec2, f64)> {
         let is_reset = std::mem::take(&mut self.is_reset);
-        self.position().filter(|at| !is_reset && at.distance(start) > MIN_LENGTH)
+        let (at, height) = next.plane.split(self.position()?);
+        let is_elsewhere = !is_reset && at.distance(next.curve.start()) > MIN_LENGTH;
+        is_elsewhere.then_some((at, height))
     }
 
     /// A move without compensation. After a contour without a lead-out the tool is not where the
     /// program is, and goes on from there.
     fn free(&mut self, free: Move) {
-        let start = free.curve.start();
-        let Some(at) = self.elsewhere(start) else {
+        let Some((at, height)) = self.elsewhere(&free) else {
             self.path.moves.push(free);
             return;
         };
@@ -86,21 +97,33 @@ impl Course {
                 Err(_) => MoveCurve::Vertical(at),
             },
             MoveCurve::Arc(_) | MoveCurve::Cubic(_) => {
-                self.join(at, &free, Role::Free);
-                free.curve
+                self.join((at, height), &free, Role::Free);
+                self.path.moves.push(free);
+                return;
             }
         };
-        self.path.moves.push(Move { curve, ..free });
+        let heights = [height, free.heights[1]];
+        self.path.moves.push(Move { curve, heights, ..free });
     }
 
     fn contour(&mut self, programmed: &ProgrammedContour, tools: &Tools, options: &Options) {
         let origin = Origin::Block { line: programmed.blocks[0], number: None, column: None };
         let tool = self.tool(programmed, tools, origin);
         let before = self.path.moves.len();
-        let mut compensated = compensate_all(&[(&programmed.contour, tool)], options);
+        let avoids = options.gouge == GougePolicy::Avoid;
+        let mut compensated = if options.lead == LeadStyle::LinuxCnc && !avoids {
+            let orientation = tools.orientation_of(programmed);
+            let (path, finished) = with_look_ahead(programmed, tool, orientation, options, origin);
+            self.is_stopped = !finished;
+            path
+        } else {
+            let mut path = compensate_all(&[(&programmed.contour, tool)], options);
+            set_feeds(&mut path, &programmed.contour);
+            path
+        };
         let follows_a_contour = self.path.moves.last().is_some_and(|last| last.role != Role::Free);
         if let Some(first) = compensated.moves.first_mut()
-            && let Some(at) = self.elsewhere(first.curve.start())
+            && let Some((at, height)) = self.elsewhere(first)
         {
             match Line::new(at, first.curve.end()) {
                 // Without a lead-out before it the tool leads in from beside that contour: on the
@@ -109,13 +132,13 @@ impl Course {
                     first.curve = MoveCurve::Line(line);
                 }
                 // What was avoided may begin anywhere: the tool crosses to there.
-                _ if options.gouge == GougePolicy::Avoid && first.role != Role::LeadIn => {}
-                _ => self.join(at, first, Role::Transition),
+                _ if avoids && first.role != Role::LeadIn => {}
+                _ => self.join((at, height), first, Role::Transition),
             }
         }
         let own = compensated.moves.len();
         self.path.append(compensated);
-        if options.gouge == GougePolicy::Avoid {
+        if avoids {
             let joins = self.path.moves.len() - own;
             self.judge_leads(&programmed.contour, [before, joins], tool, options);
         }
@@ -161,9 +184,9 @@ impl Course {
     }
 
     /// A straight move to where `next` starts.
-    fn join(&mut self, from: DVec2, next: &Move, role: Role) {
+    fn join(&mut self, (from, height): (DVec2, f64), next: &Move, role: Role) {
         if let Ok(line) = Line::new(from, next.curve.start()) {
-            let heights = [next.heights[0]; 2];
+            let heights = [height, next.heights[0]];
             self.path.moves.push(Move { curve: MoveCurve::Line(line), role, heights, ..*next });
         }
     }
@@ -187,5 +210,44 @@ impl Course {
             );
             Tool::new(0.0, programmed.side).expect("zero is a radius")
         })
+    }
+}
+
+/// Lets the moves of each block of a contour take the time that is programmed for it (G93).
+fn set_feeds(path: &mut ToolPath, contour: &Contour) {
+    let lead = |lead: Option<&Lead>| lead.map(|lead| lead.attributes);
+    let mut blocks: Vec<Attributes> = lead(contour.lead_in()).into_iter().collect();
+    let mut events = contour.events().iter().peekable();
+    for (index, segment) in contour.segments().iter().enumerate() {
+        while let Some(event) = events.next_if(|event| event.before <= index) {
+            if let EventKind::Vertical(attributes) = event.kind {
+                blocks.push(attributes);
+            }
+        }
+        blocks.push(segment.attributes);
+    }
+    for event in events {
+        if let EventKind::Vertical(attributes) = event.kind {
+            blocks.push(attributes);
+        }
+    }
+    blocks.extend(lead(contour.lead_out()));
+    if blocks.iter().all(|block| block.time.is_none()) {
+        return;
+    }
+    let mut blocks = blocks.iter();
+    for moves in path.moves.chunk_by_mut(|a, b| a.origin == b.origin) {
+        let origin = moves[0].origin;
+        let Some(time) = blocks.find(|block| block.origin == origin).and_then(|block| block.time)
+        else {
+            continue;
+        };
+        let mut length = 0.0;
+        for step in moves.iter() {
+            length += step.curve.length().hypot(step.heights[1] - step.heights[0]);
+        }
+        for step in moves {
+            step.feed = Some(length / time);
+        }
     }
 }

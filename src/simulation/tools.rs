@@ -1,5 +1,7 @@
 //! The tools that a program calls by number.
 
+use glam::DVec2;
+
 use crate::program::{ProgrammedContour, RadiusSource};
 
 /// Tools by their number.
@@ -40,6 +42,19 @@ impl Tools {
         Self { listed: Vec::new(), default_radius: Some(radius) }
     }
 
+    /// Which way the tip of the tool of a contour points, 0 where that is not known.
+    #[must_use]
+    pub fn orientation_of(&self, programmed: &ProgrammedContour) -> u8 {
+        match programmed.radius {
+            RadiusSource::Given(_) => programmed.orientation,
+            RadiusSource::Tool(number) => self.find(number).map_or(0, |tool| tool.orientation),
+        }
+    }
+
+    fn find(&self, number: u32) -> Option<&ListedTool> {
+        self.listed.iter().find(|tool| tool.number == number)
+    }
+
     /// The radius of the tool of a contour [mm], if it is known.
     #[must_use]
     pub fn radius_of(&self, programmed: &ProgrammedContour) -> Option<f64> {
@@ -47,7 +62,7 @@ impl Tools {
             RadiusSource::Given(radius) => return Some(radius),
             RadiusSource::Tool(number) => number,
         };
-        match self.listed.iter().find(|tool| tool.number == number) {
+        match self.find(number) {
             Some(ListedTool { size: ToolSize::Radius(radius), .. }) => Some(*radius),
             Some(ListedTool { size: ToolSize::Diameter(diameter), .. }) => {
                 Some(0.5 * diameter * programmed.unit)
@@ -55,4 +70,22 @@ impl Tools {
             None => self.default_radius,
         }
     }
+}
+
+/// From the centre of the tip of a lathe tool to the point that is programmed, in z and x [mm]: the
+/// corner of the square about the tip, or the middle of its side, that the tool points to.
+/// Orientations count from the corner of greater z and smaller x, as `LinuxCNC` numbers them.
+pub(super) fn tip(orientation: u8, radius: f64) -> DVec2 {
+    let direction = match orientation {
+        1 => (1.0, -1.0),
+        2 => (-1.0, -1.0),
+        3 => (-1.0, 1.0),
+        4 => (1.0, 1.0),
+        5 => (1.0, 0.0),
+        6 => (0.0, -1.0),
+        7 => (-1.0, 0.0),
+        8 => (0.0, 1.0),
+        _ => (0.0, 0.0),
+    };
+    DVec2::from(direction) * radius
 }

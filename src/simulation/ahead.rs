@@ -1,0 +1,71 @@
+//! Contours of a program for a control with one block of look-ahead.
+
+use super::tools::tip;
+use crate::compensation::{Options, Passage, look_ahead};
+use crate::contour::{Contour, Plane, Role, Tool, ToolPath};
+use crate::diagnostic::{Diagnostic, Origin};
+use crate::geometry::Decimal;
+use crate::gouge::check;
+use crate::program::{ContourEnd, ProgrammedContour};
+
+/// The path of a contour, and whether the control goes on after it. `orientation` is that of the
+/// tool, `origin` the block that switches on.
+pub(super) fn with_look_ahead(
+    programmed: &ProgrammedContour,
+    tool: Tool,
+    orientation: u8,
+    options: &Options,
+    origin: Origin,
+) -> (ToolPath, bool) {
+    let ProgrammedContour { contour, unit, leads_in, .. } = programmed;
+    let is_cut_off = programmed.end == ContourEnd::CutOff;
+    let tip = tip(orientation, tool.radius());
+    if !matches!(orientation, 0 | 9) && contour.segments()[0].attributes.plane != Plane::Zx {
+        let message = "a lathe tool is compensated in the plane G18 alone";
+        let refused = Diagnostic::error("refused", message)
+            .with_origin(origin)
+            .with_hint("the control stops here, and so does the path");
+        return (ToolPath { diagnostics: vec![refused], ..ToolPath::default() }, false);
+    }
+    let passage = Passage { leads_in: *leads_in, is_cut_off, tip, unit: *unit };
+    let (mut path, mut finished) = look_ahead(contour, tool, options, &passage);
+    if let ContourEnd::Refused(why) = &programmed.end
+        && finished
+        && tool.radius() > 0.0
+    {
+        path.diagnostics.push((**why).clone());
+        finished = false;
+    }
+    if tip == glam::DVec2::ZERO {
+        judge(&mut path, programmed, tool, options);
+    }
+    (path, finished)
+}
+
+/// Reports where the path cuts too deep: the control itself looks at one corner at a time. What a
+/// corner within the tangent band costs is not counted.
+fn judge(path: &mut ToolPath, programmed: &ProgrammedContour, tool: Tool, options: &Options) {
+    let Some(contour) = part(programmed) else { return };
+    let is_cutting = |role| matches!(role, Role::Segment | Role::Transition);
+    let moves = path.moves.iter().filter(|step| is_cutting(step.role)).copied().collect();
+    let own = ToolPath { moves, ..ToolPath::default() };
+    let undercut = tool.radius() * (1.0 - options.band(tool.radius()).cos());
+    let tolerance = options.usable_tolerance() + undercut;
+    for gouge in check(&contour, &own, tool.radius(), tolerance) {
+        let message = format!("the path cuts {} mm too deep", Decimal::of(gouge.depth));
+        let mut diagnostic = Diagnostic::error("bottleneck-gouge", message)
+            .with_point(gouge.at)
+            .with_depth(gouge.depth)
+            .with_hint("use a smaller tool, or let gouges be avoided")
+            .with_segments(gouge.segments.iter().copied());
+        diagnostic.origin = gouge.segments.first().copied();
+        path.diagnostics.push(diagnostic);
+        path.gouges.push(gouge);
+    }
+}
+
+/// The contour without what leads in; `None` where that is all.
+pub(super) fn part(programmed: &ProgrammedContour) -> Option<Contour> {
+    let segments = &programmed.contour.segments()[usize::from(programmed.leads_in)..];
+    (!segments.is_empty()).then(|| Contour::of_segments(segments.to_vec(), false, [None, None]))
+}
