@@ -1,13 +1,16 @@
 //! Arcs and lines within a tolerance of a chain of cubics, for controllers without splines.
 //!
-//! The chain is cut greedily: each step takes the longest stretch that one biarc (two arcs that
-//! share a tangent where they meet) can follow, found by doubling and then halving the stretch.
-//! Where the chain has a kink or a cusp a stretch ends.
+//! The chain is cut greedily: each step takes the longest stretch that one line or one arc between
+//! its ends can follow, found by doubling and then halving the stretch. Where the curvature changes
+//! evenly such an arc crosses the curve in its middle, and arcs of one tolerance meet nearly without
+//! a kink: each leaves the curve by as much as the next comes back. An arc of length l deviates by
+//! κ' l³/125, one of a biarc, which keeps the tangents at its ends, by κ' l³/41: a biarc takes 1.46
+//! times as many. Where the chain has a kink or a cusp a stretch ends.
 
 use glam::DVec2;
 
 use super::arc_proof::{distance_off, follows};
-use super::{Arc, Cubic, Line, cross, turn};
+use super::{Arc, Cubic, Line, perp, turn};
 
 /// An arc, or a line where an arc would be too flat to tell.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -42,14 +45,16 @@ impl ArcOrLine {
 const KINK: f64 = 1e-4;
 
 /// Share of the tolerance for the distance from an arc, and for the length that may be turned back
-/// as seen from its centre, where the arc may be run past: together `√(0.95² + 0.3²) < 1`.
-const SHARES: [f64; 2] = [0.95, 0.3];
+/// as seen from its centre, where the arc may be run past: together `√(0.98² + 0.19²) < 1`.
+const SHARES: [f64; 2] = [0.98, 0.19];
 
-/// Bisections for the place beside a joint: to 2⁻³² of a stretch, which is far below any tolerance.
-const BISECTIONS: usize = 32;
+/// Points of a stretch that its arc is chosen by, and that refuse most pieces that are too far off
+/// before a proof is tried; odd, so that one is in the middle.
+const SAMPLES: usize = 9;
 
-/// Points that refuse most pieces that are too far off before a proof is tried.
-const SAMPLES: usize = 7;
+/// Steps to the arc that is least far off, each of which narrows its bulge to two thirds: to a
+/// hundredth of what it may be off at first.
+const STEPS: usize = 12;
 
 /// Largest radius written as an arc [mm]; flatter ones are lines if the tolerance allows. Controls
 /// compute centres in single precision, which is good to half a micrometre here.
@@ -90,10 +95,10 @@ struct Stretch<'a> {
 }
 
 impl Stretch<'_> {
-    /// Point and tangent at `at`.
-    fn frame(&self, at: f64) -> (DVec2, DVec2) {
+    /// The point at `at`.
+    fn point(&self, at: f64) -> DVec2 {
         let (cubic, t) = self.locate(at);
-        (cubic.point(t), cubic.tangent(t))
+        cubic.point(t)
     }
 
     #[expect(
@@ -107,59 +112,28 @@ impl Stretch<'_> {
         (&self.cubics[index], t)
     }
 
-    /// Whether the stretch is proved to be within `tolerance` [mm] of the pieces, and they of it.
-    fn is_near(&self, pieces: &[ArcOrLine], tolerance: f64) -> bool {
-        let off_at = |k: usize| {
-            let share = (k as f64 + 0.5) / SAMPLES as f64;
-            let (point, _) = self.frame(self.from + (self.to - self.from) * share);
-            pieces.iter().map(|piece| distance_off(piece, point)).fold(f64::INFINITY, f64::min)
-        };
-        if (0..SAMPLES).any(|k| off_at(k) > tolerance) {
-            return false;
-        }
-        let mut from = self.from;
-        for (k, piece) in pieces.iter().enumerate() {
-            let to = if k + 1 == pieces.len() { self.to } else { self.beside(piece) };
-            if !self.part_follows(from, to, piece, tolerance) {
-                return false;
-            }
-            from = to;
-        }
-        true
+    /// Points evenly between its ends, apart from those.
+    fn samples(&self) -> [DVec2; SAMPLES] {
+        std::array::from_fn(|k| {
+            let share = (k as f64 + 1.0) / (SAMPLES as f64 + 1.0);
+            self.point(self.from + (self.to - self.from) * share)
+        })
     }
 
-    /// Where the stretch crosses the normal at the end of a piece, by bisection.
-    fn beside(&self, piece: &ArcOrLine) -> f64 {
-        let (end, along) = match piece {
-            ArcOrLine::Arc(arc) => (arc.end(), arc.tangent(1.0)),
-            ArcOrLine::Line(line) => (line.end(), line.tangent()),
-        };
-        let (mut low, mut high) = (self.from, self.to);
-        for _ in 0..BISECTIONS {
-            let middle = 0.5 * (low + high);
-            if (self.frame(middle).0 - end).dot(along) < 0.0 {
-                low = middle;
-            } else {
-                high = middle;
-            }
-        }
-        0.5 * (low + high)
-    }
-
-    /// Whether every part of a cubic between two places follows the piece, and they do not go round
-    /// it once more.
-    fn part_follows(&self, from: f64, to: f64, piece: &ArcOrLine, tolerance: f64) -> bool {
+    /// Whether the stretch is proved to be within `tolerance` [mm] of the piece, and the piece of it:
+    /// every part of a cubic follows the piece, and they do not go round it once more.
+    fn follows(&self, piece: &ArcOrLine, tolerance: f64) -> bool {
         let [off, mut turning] = SHARES.map(|share| share * tolerance);
-        let (mut at, mut length) = (from, 0.0);
-        while at < to {
+        let (mut at, mut length) = (self.from, 0.0);
+        while at < self.to {
             let (cubic, t) = self.locate(at);
-            let rest = to - at + t;
+            let rest = self.to - at + t;
             let part = cubic.part(t, rest.min(1.0));
             if !follows(&part, piece, off, &mut turning) {
                 return false;
             }
             length += part.hull_length();
-            at = if rest <= 1.0 { to } else { at.floor() + 1.0 };
+            at = if rest <= 1.0 { self.to } else { at.floor() + 1.0 };
         }
         match piece {
             ArcOrLine::Arc(arc) => length < (arc.radius() - tolerance) * (arc.sweep().abs() + 6.0),
@@ -184,7 +158,7 @@ fn fit_smooth(
             let least = LEAST_SHARE * stretch.locate(from).0.hull_length();
             fit_stretch(&stretch, at, tolerance.max(least))
         };
-        let mut good: Option<(f64, Vec<ArcOrLine>)> = None;
+        let mut good: Option<(f64, Fit)> = None;
         let mut bad = None;
         // Doubling while it works, halving until it does.
         loop {
@@ -211,7 +185,7 @@ fn fit_smooth(
             }
         }
         // Between the last that works and the first that does not.
-        if let (Some((mut low, _)), Some(mut high)) = (good.clone(), bad) {
+        if let (Some((mut low, _)), Some(mut high)) = (good, bad) {
             for _ in 0..6 {
                 let middle = 0.5 * (low + high);
                 if let Some(fit) = attempt(middle) {
@@ -224,9 +198,9 @@ fn fit_smooth(
         }
         // A stretch that short is a line within the least tolerance, so something is good, unless
         // the cubic is not made of numbers.
-        let (to, fit) = good.unwrap_or_else(|| ((from + 1.0).min(end), Vec::new()));
+        let (to, fit) = good.unwrap_or(((from + 1.0).min(end), Fit::Nothing));
         step = (to - from).max(LEAST_SHARE);
-        for piece in fit {
+        if let Fit::Piece(piece) = fit {
             at = piece.end();
             pieces.push(piece);
         }
@@ -241,59 +215,70 @@ fn fit_smooth(
     at
 }
 
-/// The line or biarc from `start` that follows the stretch, if one is near enough; nothing at all
-/// for a stretch too short to be a line.
-fn fit_stretch(stretch: &Stretch, start: DVec2, tolerance: f64) -> Option<Vec<ArcOrLine>> {
-    let (_, start_tangent) = stretch.frame(stretch.from);
-    let (end, end_tangent) = stretch.frame(stretch.to);
-    let near = |pieces: Vec<ArcOrLine>| stretch.is_near(&pieces, tolerance).then_some(pieces);
-    let Ok(chord) = Line::new(start, end) else {
+/// What a stretch becomes.
+#[derive(Clone, Copy)]
+enum Fit {
+    Piece(ArcOrLine),
+    /// It is too short to be a line.
+    Nothing,
+}
+
+/// The line or the arc from `start` that follows the stretch, if one is near enough.
+fn fit_stretch(stretch: &Stretch, start: DVec2, tolerance: f64) -> Option<Fit> {
+    let Ok(chord) = Line::new(start, stretch.point(stretch.to)) else {
         let whole = stretch.locate(stretch.from).0;
-        return (whole.hull_length() * (stretch.to - stretch.from) < tolerance).then(Vec::new);
+        let length = whole.hull_length() * (stretch.to - stretch.from);
+        return (length < tolerance).then_some(Fit::Nothing);
     };
-    if let Some(line) = near(vec![ArcOrLine::Line(chord)]) {
-        return Some(line);
+    let samples = stretch.samples();
+    for piece in [Some(ArcOrLine::Line(chord)), arc_along(&chord, &samples)].into_iter().flatten() {
+        if samples.iter().all(|&point| distance_off(&piece, point) <= tolerance)
+            && stretch.follows(&piece, tolerance)
+        {
+            return Some(Fit::Piece(piece));
+        }
     }
-    near(biarc(start, start_tangent, end, end_tangent)?)
+    None
 }
 
-/// The biarc from `start` to `end` with the given unit tangents whose two control legs at the
-/// ends are equally long (Bolton 1975); `None` where it would turn by half a circle or more.
-fn biarc(start: DVec2, t0: DVec2, end: DVec2, t1: DVec2) -> Option<Vec<ArcOrLine>> {
-    let v = end - start;
-    let sum = t0 + t1;
-    // |end − leg t1 − (start + leg t0)| = 2 leg, a quadratic in the leg.
-    let (a, b, c) = (4.0 - sum.length_squared(), 2.0 * v.dot(sum), -v.length_squared());
-    let discriminant = (b * b - 4.0 * a * c).max(0.0).sqrt();
-    // The positive root in the form without cancellation.
-    let leg = if b + discriminant > 0.0 { -2.0 * c / (b + discriminant) } else { return None };
-    let joint = (start + t0 * leg).midpoint(end - t1 * leg);
-    let first = tangent_arc(start, t0, joint)?;
-    // The second arc ends with t1: the same construction backwards.
-    let second = match tangent_arc(end, -t1, joint)? {
-        ArcOrLine::Arc(arc) => ArcOrLine::Arc(arc.reversed()),
-        ArcOrLine::Line(line) => ArcOrLine::Line(line.reversed()),
-    };
-    Some(vec![first, second])
-}
-
-/// The arc from `start` along the unit tangent to `end`, a line where it is flat; `None` from
-/// half a circle on.
-fn tangent_arc(start: DVec2, tangent: DVec2, end: DVec2) -> Option<ArcOrLine> {
-    let line = Line::new(start, end).ok()?;
-    let chord = line.vector();
-    let (along, across) = (tangent.dot(chord), cross(tangent, chord));
-    if along <= 0.0 {
+/// The arc over a chord whose largest distance from the points is least, to first order; `None`
+/// where it would turn by half a circle or more, or is too flat to be one.
+fn arc_along(chord: &Line, points: &[DVec2; SAMPLES]) -> Option<ArcOrLine> {
+    let half = 0.5 * chord.length();
+    let (along, middle) = (chord.tangent(), chord.start().midpoint(chord.end()));
+    let up = perp(along);
+    let local = |point: DVec2| DVec2::new((point - middle).dot(along), (point - middle).dot(up));
+    // The bulge of the circle through both ends and the point (x, y) as seen from the middle of the
+    // chord: with its centre at height c, x² + (y − c)² = half² + c², and the bulge is c ± radius.
+    let DVec2 { x, y } = local(points[SAMPLES / 2]);
+    if y == 0.0 {
         return None;
     }
-    // Radius from the tangent–chord angle: |chord| = 2 R sin a, sin a = across / |chord|.
-    let radius = chord.length_squared() / (2.0 * across.abs());
-    if radius > MAX_RADIUS {
-        return Some(ArcOrLine::Line(line));
+    let center = (x * x + y * y - half * half) / (2.0 * y);
+    let bulge = center + half.hypot(center).copysign(y);
+    // How far the points are above that arc, and how far they come down to it as its bulge grows.
+    let radius = half.hypot(center).copysign(y);
+    let above = points.map(|point| {
+        let DVec2 { x, y } = local(point);
+        let share = (x / half).clamp(-1.0, 1.0);
+        (x.hypot(y - center).copysign(radius) - radius, 1.0 - share * share)
+    });
+    let off = |more: f64| above.iter().map(|(e, w)| (e - more * w).abs()).fold(0.0, f64::max);
+    // The largest of them is a convex function of the bulge.
+    let reach = off(0.0);
+    let (mut low, mut high) = (-reach, reach);
+    for _ in 0..STEPS {
+        let third = (high - low) / 3.0;
+        if off(low + third) < off(high - third) { high -= third } else { low += third }
     }
-    let center = start + super::perp(tangent) * radius * across.signum();
-    let arc = Arc::from_center(start, end, center, across < 0.0, f64::INFINITY).ok()?;
-    Some(ArcOrLine::Arc(arc))
+    let bulge = bulge + 0.5 * (low + high);
+    let radius = (half * half + bulge * bulge) / (2.0 * bulge.abs());
+    if bulge.abs() >= half || radius.is_nan() || radius > MAX_RADIUS {
+        return None;
+    }
+    let center = middle + up * (bulge - radius.copysign(bulge));
+    let arc = Arc::from_center(chord.start(), chord.end(), center, bulge > 0.0, f64::INFINITY);
+    arc.ok().map(ArcOrLine::Arc)
 }
 
 #[cfg(test)]
