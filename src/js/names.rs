@@ -3,7 +3,7 @@
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use crate::compensation::{CornerStyle, GougePolicy, LeadStyle, SplineMethod};
+use crate::compensation::{CornerStyle, GougePolicy, LeadStyle, Output, SplineMethod};
 use crate::contour::Side;
 use crate::simulation::Profile;
 
@@ -15,6 +15,16 @@ pub enum SideName {
     Left = "left",
     /// G42.
     Right = "right",
+}
+
+/// `output` of `types.d.ts`.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OutputName {
+    /// Cubics.
+    Cubics = "cubics",
+    /// Arcs and lines.
+    Arcs = "arcs",
 }
 
 /// `corner` of `types.d.ts`.
@@ -85,6 +95,15 @@ pub(super) fn spline_method(name: SplineName) -> Option<SplineMethod> {
         SplineName::Exact => Some(SplineMethod::Exact),
         SplineName::TypePoints => Some(SplineMethod::TypePoints),
         SplineName::__Invalid => None,
+    }
+}
+
+/// What an output's name stands for.
+pub(super) fn output(name: OutputName) -> Option<Output> {
+    match name {
+        OutputName::Cubics => Some(Output::Cubics),
+        OutputName::Arcs => Some(Output::Arcs),
+        OutputName::__Invalid => None,
     }
 }
 

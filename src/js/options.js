@@ -7,6 +7,7 @@ import { packTools, radius } from "./tools.js";
 
 const profiles = /** @type {const} */ (["g41", "linuxcnc", "fanuc", "isg", "sinumerik"]);
 const splines = /** @type {const} */ (["exact", "type-points"]);
+const outputs = /** @type {const} */ (["cubics", "arcs"]);
 const corners = /** @type {const} */ (["linear", "arc"]);
 const leads = /** @type {const} */ (["textbook", "perpendicular", "linuxcnc"]);
 const laterLeads = ["intersection", "extra-move"];
@@ -20,9 +21,9 @@ const settingKeys = [
   ...["profile", "tolerance", "spline", "corner", "lead", "tangentBand"],
   ...["gouge", "passes", "stepover"],
 ];
-const contourKeys = new Set(["side", "radius", ...settingKeys]);
-const liveKeys = new Set(["chordTolerance", ...contourKeys]);
-const programKeys = new Set(["tools", "radius", ...settingKeys]);
+const contourKeys = new Set(["side", "radius", "output", ...settingKeys]);
+const liveKeys = new Set(["chordTolerance", "side", "radius", ...settingKeys]);
+const programKeys = new Set(["tools", "radius", "output", ...settingKeys]);
 const contourCheckKeys = new Set(["radius", "tolerance"]);
 const programCheckKeys = new Set(["tools", ...contourCheckKeys]);
 const parseKeys = new Set(["dialect", "profile"]);
@@ -158,6 +159,7 @@ function settings(options) {
     profile(options),
     optional(options.tolerance, toleranceAt, at("tolerance"), finestPath),
     optional(options.spline, (value) => oneOf(value, splines, at("spline"))),
+    optional(options.output, (value) => oneOf(value, outputs, at("output"))),
     optional(options.corner, (value) => oneOf(value, corners, at("corner"))),
     optional(options.lead, (value) => oneOf(value, leads, at("lead"), laterLeads)),
     optional(options.tangentBand, tangentBand),

@@ -3,11 +3,11 @@
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::names::{
-    CornerName, GougeName, LeadName, ProfileName, SplineName, corner_style, gouge_policy,
-    lead_style, profile, spline_method,
+    CornerName, GougeName, LeadName, OutputName, ProfileName, SplineName, corner_style,
+    gouge_policy, lead_style, output, profile, spline_method,
 };
 use crate::compensation::{
-    CornerStyle, GougePolicy, LeadStyle, Options, Passes, SplineMethod, TangentBand,
+    CornerStyle, GougePolicy, LeadStyle, Options, Output, Passes, SplineMethod, TangentBand,
 };
 use crate::simulation::Profile;
 
@@ -18,6 +18,7 @@ pub struct Settings {
     profile: Option<Profile>,
     tolerance: Option<f64>,
     spline: Option<SplineMethod>,
+    output: Option<Output>,
     corner: Option<CornerStyle>,
     lead: Option<LeadStyle>,
     tangent_band: Option<TangentBand>,
@@ -39,6 +40,7 @@ impl Settings {
         profile_name: Option<ProfileName>,
         tolerance: Option<f64>,
         spline: Option<SplineName>,
+        output_name: Option<OutputName>,
         corner: Option<CornerName>,
         lead: Option<LeadName>,
         tangent_band: Option<f64>,
@@ -54,6 +56,7 @@ impl Settings {
             profile: profile_name.and_then(profile),
             tolerance,
             spline: spline.and_then(spline_method),
+            output: output_name.and_then(output),
             corner: corner.and_then(corner_style),
             lead: lead.and_then(lead_style),
             tangent_band: tangent_band.map(band),
@@ -73,6 +76,7 @@ impl Settings {
         let base = self.profile.unwrap_or(profile).options();
         Options {
             tolerance: self.tolerance.unwrap_or(base.tolerance),
+            output: self.output.unwrap_or(base.output),
             corner: self.corner.unwrap_or(base.corner),
             spline: self.spline.unwrap_or(base.spline),
             lead: self.lead.unwrap_or(base.lead),

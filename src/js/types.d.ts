@@ -293,6 +293,11 @@ export interface CompensationOptions {
    * `"type-points"` the spline through the moved type points. Default `"exact"`.
    */
   spline?: "exact" | "type-points";
+  /**
+   * What the paths of splines are made of: cubics, or arcs and lines alone, which takes about twice
+   * as many. Either is within the tolerance. Default `"cubics"`.
+   */
+  output?: "cubics" | "arcs";
   /** What is inserted at an outside corner: straight moves or an arc. Default `"linear"`. */
   corner?: "linear" | "arc";
   /**
@@ -645,7 +650,7 @@ export class ToolPath {
 // --- Live edits --------------------------------------------------------------------------------
 
 /** Options of a `LiveContour`. */
-export interface LiveOptions extends ContourOptions {
+export interface LiveOptions extends Omit<ContourOptions, "output"> {
   /** Largest distance of a chord of its polylines from their curves [mm]. Default 0.001. */
   chordTolerance?: number;
 }

@@ -2,7 +2,16 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { compensate, distance, flatten, left, part, RECORD_STRIDE } from "./sample.mjs";
+import {
+  check,
+  compensate,
+  distance,
+  flatten,
+  left,
+  part,
+  RECORD_STRIDE,
+  throwsCode,
+} from "./sample.mjs";
 
 const square = {
   start: [0, 0],
@@ -300,4 +309,32 @@ test("a tolerance of a millionth of a micrometre is kept", () => {
       assert.ok(Math.abs(least - 5) <= 1.01e-9, `${least - 5} mm off`);
     }
   }
+});
+
+test("a path may be of arcs and lines alone, as near to the spline as one of cubics", () => {
+  const spline = {
+    start: [0, 0],
+    segments: [
+      {
+        kind: "spline",
+        points: [
+          [20, 8],
+          [40, 0],
+          [60, 9],
+        ],
+      },
+    ],
+  };
+  const options = { side: "left", radius: 3, tolerance: 0.01 };
+  const cubics = compensate(spline, options);
+  const arcs = compensate(spline, { ...options, output: "arcs" });
+  assert.ok(cubics.moves.every((move) => move.kind === "cubic"));
+  assert.ok(arcs.moves.every((move) => move.kind === "arc" || move.kind === "line"));
+  assert.ok(arcs.moves.length >= cubics.moves.length, `${arcs.moves.length} arcs`);
+  assert.deepEqual(check(spline, arcs, { radius: 3, tolerance: 0.011 }), []);
+  throwsCode(
+    () => compensate(spline, { ...options, output: "lines" }),
+    "bad-argument",
+    "options.output",
+  );
 });
