@@ -14,6 +14,7 @@ mod emit;
 mod explained;
 mod g_words;
 mod interpret;
+mod items;
 mod lexer;
 mod modal;
 mod moves;
@@ -29,9 +30,9 @@ mod type_points;
 mod words;
 
 pub use block::{Block, Word};
-pub use course::{ContourEnd, Item, ProgrammedContour, RadiusSource};
 pub use dialect::Dialect;
 pub use emit::{EmitOptions, Emitted, SplineOutput, emit};
+pub use items::{ContourEnd, Item, ProgrammedContour, RadiusSource};
 pub use reader::Program;
 pub use rules::Rules;
 pub use run::{Interpretation, interpret};

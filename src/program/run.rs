@@ -1,7 +1,7 @@
 //! Running a program: block by block through an interpreter.
 
-use super::course::Item;
 use super::interpret::{Flow, Interpreter};
+use super::items::Item;
 use super::reader::{Program, after_end};
 use super::rules::Rules;
 use crate::diagnostic::Diagnostic;

@@ -1,9 +1,10 @@
 //! The words that switch compensation on and off, and the D word: whose radius it is.
 
 use super::block::{Block, Word};
-use super::course::{RadiusSource, SwitchOn};
+use super::course::SwitchOn;
 use super::g_words::Compensation;
 use super::interpret::Interpreter;
+use super::items::RadiusSource;
 use super::number::whole;
 use super::words::Words;
 use crate::diagnostic::Origin;

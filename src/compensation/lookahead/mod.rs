@@ -13,6 +13,8 @@
 //! their height.
 
 mod corner;
+mod lead;
+mod plain;
 mod queue;
 
 use std::f64::consts::{FRAC_PI_2, PI, TAU};
@@ -27,10 +29,6 @@ use crate::contour::{
 };
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Arc, Curve, direction, perp, turn};
-
-/// Cosine of the angle between the chord of a lead-in arc and the radius at its end, below which no
-/// centre is equally far from both.
-const MIN_COSINE: f64 = 1e-6;
 
 /// Slowest feed of a move whose time is programmed, in units of the program per minute.
 const SLOWEST: f64 = 0.1;
@@ -198,58 +196,6 @@ impl<'a> Control<'a> {
         Ok(())
     }
 
-    /// Without a radius the tool goes where the program says.
-    fn as_programmed(&mut self, contour: &Contour) {
-        let straight = |to, attributes, role| {
-            let shape = Shape::Line { along: DVec2::ZERO };
-            Pending { to, shape, attributes, role }
-        };
-        let mut at = self.programmed;
-        let mut events = contour.events().iter().peekable();
-        if let Some(lead) = contour.lead_in() {
-            at = contour.start();
-            let length = lead.point.distance(at).hypot(climb(&lead.attributes));
-            let attributes = self.timed(&lead.attributes, length);
-            self.queue.push(straight(at, attributes, Role::LeadIn));
-        }
-        for index in 0..=contour.segments().len() {
-            while let Some(event) = events.next_if(|event| event.before <= index) {
-                match &event.kind {
-                    EventKind::Words(_) => self.queue.words(event),
-                    EventKind::Stop => {}
-                    EventKind::Vertical(attributes) => {
-                        let attributes = self.timed(attributes, climb(attributes).abs());
-                        self.queue.push(straight(at, attributes, Role::Segment));
-                    }
-                }
-            }
-            let Some(segment) = contour.segments().get(index) else { break };
-            let (attributes, role) = (&segment.attributes, Role::Segment);
-            at = segment.curve.end();
-            match &segment.curve {
-                Curve::Line(line) => {
-                    let length = line.length().hypot(climb(attributes));
-                    self.queue.push(straight(at, self.timed(attributes, length), role));
-                }
-                Curve::Arc(arc) => {
-                    let (center, clockwise) = (arc.center(), arc.is_clockwise());
-                    let shape = Shape::Arc { center, clockwise, sweep: arc.sweep() };
-                    let attributes = self.timed(attributes, helix(arc, attributes));
-                    self.queue.push(Pending { to: at, shape, attributes, role });
-                }
-                Curve::Spline(spline) => {
-                    self.queue.release();
-                    self.queue.cubics(spline.pieces(), attributes);
-                }
-            }
-        }
-        if let Some(Lead { point, attributes }) = contour.lead_out() {
-            let length = at.distance(*point).hypot(climb(attributes));
-            self.queue.push(straight(*point, self.timed(attributes, length), Role::LeadOut));
-        }
-        self.queue.release();
-    }
-
     fn spline(&mut self, attributes: &Attributes) -> Result<(), Refused> {
         self.origin = attributes.origin;
         Err(Refused("spline-refused", "the control does not compensate splines"))
@@ -259,64 +205,6 @@ impl<'a> Control<'a> {
     fn flush(&mut self) -> Result<(), Refused> {
         self.queue.end_at(self.at)?;
         self.queue.release();
-        Ok(())
-    }
-
-    /// A straight lead-in to `to`: its end is beside its own.
-    fn lead_in(&mut self, to: DVec2, attributes: &Attributes) -> Result<(), Refused> {
-        self.origin = attributes.origin;
-        let step = to - self.at;
-        let Some(along) = direction(step).filter(|_| step.length() > self.tool.radius()) else {
-            return Err(Refused("short-lead-in", "the lead-in is not longer than the tool radius"));
-        };
-        let attributes = self.timed(attributes, step.length().hypot(climb(attributes)));
-        self.queue.begin(self.at);
-        let normal = perp(along) * self.tool.side().sign();
-        self.programmed = to;
-        self.at = to + normal * self.tool.radius();
-        // Trimmed it may run backwards: it was long enough.
-        let shape = Shape::Line { along: normal };
-        self.queue.push(Pending { to: self.at, shape, attributes, role: Role::LeadIn });
-        Ok(())
-    }
-
-    /// A lead-in along an arc: it ends beside its own end, and its centre moves along the radius
-    /// there to where it is equally far from both ends.
-    fn arc_lead_in(&mut self, arc: &Arc, attributes: &Attributes) -> Result<(), Refused> {
-        self.origin = attributes.origin;
-        let (from, end, radius) = (self.at, arc.end(), self.tool.radius());
-        if from.distance(end) <= radius {
-            let message = "the ends of the lead-in arc are not farther apart than the tool radius";
-            return Err(Refused("short-lead-in", message));
-        }
-        let is_inside = self.is_inside(arc.is_clockwise());
-        if is_inside && arc.radius() <= radius {
-            return Err(TOO_TIGHT);
-        }
-        let attributes = self.timed(attributes, helix(arc, attributes));
-        let inwards = direction(arc.center() - end).ok_or(TOO_TIGHT)?;
-        let beside = end + inwards * if is_inside { radius } else { -radius };
-        let towards = direction(arc.center() - beside).ok_or(TOO_TIGHT)?;
-        let chord = from - beside;
-        let cosine = chord.normalize_or_zero().dot(towards);
-        if cosine.abs() < MIN_COSINE {
-            return Err(TOO_TIGHT);
-        }
-        let center = beside + towards * (0.5 * chord.length() / cosine);
-        if self.passage.tip != DVec2::ZERO {
-            // A lathe tool first puts the centre of its tip where its own point was.
-            let along = DVec2::ZERO;
-            let (shape, role) = (Shape::Line { along }, Role::LeadIn);
-            let heights = [attributes.heights[0]; 2];
-            let attributes = Attributes { heights, ..attributes };
-            self.queue.begin(from);
-            self.queue.push(Pending { to: from, shape, attributes, role });
-        }
-        let clockwise = arc.is_clockwise();
-        let sweep = swept(from - center, beside - center, clockwise);
-        (self.programmed, self.at) = (end, beside);
-        let shape = Shape::Arc { center, clockwise, sweep };
-        self.queue.push(Pending { to: beside, shape, attributes, role: Role::LeadIn });
         Ok(())
     }
 

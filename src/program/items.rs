@@ -1,0 +1,68 @@
+//! What an interpreted program consists of.
+
+use crate::contour::{Contour, Move, Reset, Side};
+use crate::diagnostic::{Diagnostic, Origin};
+
+/// One step of an interpreted program.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Item {
+    /// A move without compensation.
+    Free(Move),
+    /// Words to be passed through. They move nothing, apart from two cases: a block that states a
+    /// coordinate assumed already, at the beginning or after a change of the coordinate system,
+    /// such as `G0 X0 Y0` or `G1 Z0 F100`; and moves that only the machine knows the end of (G28,
+    /// G53), which come with a reset.
+    Words {
+        /// The words, as [`AuxiliaryWords`](crate::contour::AuxiliaryWords) has them.
+        words: String,
+        /// What they do to the coordinates.
+        reset: Option<Reset>,
+        /// The block they come from.
+        origin: Origin,
+    },
+    /// A contour to be compensated.
+    Contour(ProgrammedContour),
+}
+
+/// A contour between the words that switch compensation on and off.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ProgrammedContour {
+    /// The contour with its lead-in and lead-out.
+    pub contour: Contour,
+    /// The side of the tool.
+    pub side: Side,
+    /// Where the tool radius comes from.
+    pub radius: RadiusSource,
+    /// The unit of coordinates in effect at the word that switches on [mm]: diameters of a table of
+    /// tools that names no unit count in it.
+    pub unit: f64,
+    /// Which way the tip of the tool points where the program itself gives the radius, as lathe tools
+    /// are numbered: 1 to 9, or 0.
+    pub orientation: u8,
+    /// Whether its first segment is itself the lead-in: an arc, or all that there is.
+    pub leads_in: bool,
+    /// How it ends.
+    pub end: ContourEnd,
+    /// The line of the word that switches on, and the last line that belongs to the contour.
+    pub blocks: [u32; 2],
+}
+
+/// How a programmed contour ends.
+#[derive(Debug, Clone, PartialEq)]
+pub enum ContourEnd {
+    /// Compensation is switched off, or the program ends.
+    Off,
+    /// The control stops in the middle of it, and makes no move whose end it does not know yet.
+    CutOff,
+    /// It is switched off, but unless its tool has no radius the control stops at what follows.
+    Refused(Box<Diagnostic>),
+}
+
+/// Where a tool radius comes from.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum RadiusSource {
+    /// The table of tools: the D word, or the active tool where there is none.
+    Tool(u32),
+    /// The program itself [mm].
+    Given(f64),
+}
