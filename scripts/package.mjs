@@ -21,7 +21,7 @@ const shipped = "dist/g41_bg.wasm";
 /** What tsc must know of the generated files to check the hand-written ones; not shipped. */
 const glueTypes = "target/glue";
 
-/** The largest gzipped wasm that may be shipped [bytes]: what it has; 100 KB is what it should have. */
+/** The largest gzipped wasm that may be shipped, for now [bytes]; 140 KB is what it should be. */
 const sizeLimit = 150 * 1024;
 
 // What rustc emits for this target, and every browser of the last years understands; named one by
@@ -97,6 +97,10 @@ async function assemble() {
       cpSync(join(root, "src/js", name), join(fresh, name));
     }
   }
+  cpSync(join(root, "src/js/cli"), join(fresh, "cli"), {
+    recursive: true,
+    filter: (name) => !name.endsWith(".json"),
+  });
   cpSync(join(root, "src/js/types.d.ts"), join(fresh, "index.d.ts"));
   // Put in place at once, so that a failed build leaves the last good one.
   rmSync(join(root, "dist"), { recursive: true, force: true });

@@ -39,6 +39,8 @@ main(async () => {
   // After the native tests, which write samples of what crosses the boundary for it to check.
   await check("types of page and samples (tsc)", node, [script("typescript", "tsc")]);
   await check("types of the face (tsc)", node, [script("typescript", "tsc"), "-p", "src/js"]);
+  const command = [script("typescript", "tsc"), "-p", "src/js/cli"];
+  await check("types of the command line (tsc)", node, command);
   const inWasm = [...cargoTest, ...onWasm, "--test", "*"];
   await tests("wasm in Node", "cargo", "cargo", inWasm);
   await tests("wasm in browser", "cargo", "cargo", inWasm, {
@@ -53,6 +55,8 @@ main(async () => {
   await tests("public face", "node", node, apiTests);
   const packageTests = ["--test", "--test-reporter=spec", ...filesIn("tests/package", ".test.mjs")];
   await tests("package", "node", node, packageTests, { CHROME_PATH: browser });
+  const cliTests = ["--test", "--test-reporter=spec", ...filesIn("tests/cli", ".test.mjs")];
+  await tests("command line", "node", node, cliTests);
   const pageTests = [script("@playwright/test", "playwright"), "test"];
   const port = String(await freePort());
   await tests("page", "playwright", node, pageTests, { CHROME_PATH: browser, G41_TEST_PORT: port });

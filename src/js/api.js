@@ -27,8 +27,8 @@ export function parseProgram(text, options) {
   if (typeof text !== "string") {
     bad(() => "text", "be a string");
   }
-  const { profile } = parseOptions(options);
-  return new Program((glue) => glue.parseProgram(text, profile));
+  const { dialect, profile, blockDelete } = parseOptions(options);
+  return new Program((glue) => glue.parseProgram(text, dialect, profile, blockDelete));
 }
 
 /**

@@ -28,7 +28,7 @@ pub use compensate::{compensate_contours, flatten_contours};
 pub use judge::check_contours;
 pub use live::LiveHandle;
 pub use move_records::STRIDE as RECORD_STRIDE;
-pub use names::{CornerName, GougeName, LeadName, SideName, SplineName};
+pub use names::{CornerName, DialectName, GougeName, LeadName, ProfileName, SideName, SplineName};
 pub use numbering::Numbering;
 pub use polylines_handle::PolylinesHandle;
 pub use program::{ProgramHandle, parse_program};

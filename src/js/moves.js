@@ -57,7 +57,7 @@ function unpackMove(record) {
   const [height, end] = [base.from[normal], base.to[normal]];
   /** @type {(x: number, y: number, z: number) => Point3} */
   const place = (...point) => {
-    /** @type {Point3} */
+    /** @type {[number, number, number]} */
     const placed = [0, 0, 0];
     [placed[first], placed[second], placed[normal]] = point;
     return placed;

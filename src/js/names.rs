@@ -5,6 +5,7 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use crate::compensation::{CornerStyle, GougePolicy, LeadStyle, Output, SplineMethod};
 use crate::contour::Side;
+use crate::program::Dialect;
 use crate::simulation::Profile;
 
 /// `side` of `types.d.ts`.
@@ -75,6 +76,20 @@ pub enum ProfileName {
     Sinumerik = "sinumerik",
 }
 
+/// `dialect` of `types.d.ts`.
+#[wasm_bindgen]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum DialectName {
+    /// What the text shows signs of.
+    Auto = "auto",
+    /// `LinuxCNC`.
+    LinuxCnc = "linuxcnc",
+    /// FANUC and its kin.
+    Fanuc = "fanuc",
+    /// SINUMERIK.
+    Sinumerik = "sinumerik",
+}
+
 /// `gouge` of `types.d.ts`.
 #[wasm_bindgen]
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -135,6 +150,17 @@ pub(super) fn profile(name: ProfileName) -> Option<Profile> {
         ProfileName::Isg => Some(Profile::Isg),
         ProfileName::Sinumerik => Some(Profile::Sinumerik),
         ProfileName::__Invalid => None,
+    }
+}
+
+/// What a dialect's name stands for.
+pub(super) fn dialect(name: DialectName) -> Option<Dialect> {
+    match name {
+        DialectName::Auto => Some(Dialect::Auto),
+        DialectName::LinuxCnc => Some(Dialect::LinuxCnc),
+        DialectName::Fanuc => Some(Dialect::Fanuc),
+        DialectName::Sinumerik => Some(Dialect::Sinumerik),
+        DialectName::__Invalid => None,
     }
 }
 

@@ -1,21 +1,22 @@
 // Checks the options of every function; what is left out stays undefined, and the core decides.
-import { bad, finite, notSupported, object, oneOf, optional, positive, truth } from "./check.js";
+import { bad, finite, object, oneOf, optional, positive, truth } from "./check.js";
 import { sides } from "./pack.js";
 import { packTools, radius } from "./tools.js";
 
 /** @typedef {import("./check.js").Where} Where */
 
-const profiles = /** @type {const} */ (["g41", "linuxcnc", "fanuc", "isg", "sinumerik"]);
-const splines = /** @type {const} */ (["exact", "type-points"]);
-const outputs = /** @type {const} */ (["cubics", "arcs"]);
-const corners = /** @type {const} */ (["linear", "arc"]);
-const leads = /** @type {const} */ (["textbook", "perpendicular", "linuxcnc"]);
+export const dialects = /** @type {const} */ (["auto", "linuxcnc", "fanuc", "sinumerik"]);
+export const profiles = /** @type {const} */ (["g41", "linuxcnc", "fanuc", "isg", "sinumerik"]);
+export const splines = /** @type {const} */ (["exact", "type-points"]);
+export const outputs = /** @type {const} */ (["cubics", "arcs"]);
+export const corners = /** @type {const} */ (["linear", "arc"]);
+export const leads = /** @type {const} */ (["textbook", "perpendicular", "linuxcnc"]);
 const laterLeads = ["intersection", "extra-move"];
-const targets = /** @type {const} */ ([
+export const targets = /** @type {const} */ ([
   ...["grbl", "grblhal", "linuxcnc", "smoothieware", "marlin", "fanuc-0m", "fanuc-6m"],
 ]);
 const written = /** @type {const} */ (["arcs", "native"]);
-const gouges = /** @type {const} */ (["report", "avoid", "stop"]);
+export const gouges = /** @type {const} */ (["report", "avoid", "stop"]);
 
 const settingKeys = [
   ...["profile", "tolerance", "spline", "corner", "lead", "tangentBand"],
@@ -26,7 +27,7 @@ const liveKeys = new Set(["chordTolerance", "side", "radius", ...settingKeys]);
 const programKeys = new Set(["tools", "radius", "output", ...settingKeys]);
 const contourCheckKeys = new Set(["radius", "tolerance"]);
 const programCheckKeys = new Set(["tools", ...contourCheckKeys]);
-const parseKeys = new Set(["dialect", "profile"]);
+const parseKeys = new Set(["dialect", "profile", "blockDelete"]);
 const gcodeKeys = new Set(["target", "tolerance", "splines", "feed", "clearance", "explain"]);
 
 /** @type {(key: string) => Where} */
@@ -122,12 +123,11 @@ function checkOptions(options) {
 /** @param {unknown} given */
 export function parseOptions(given = {}) {
   const options = object(given, parseKeys, here);
-  const { dialect } = options;
-  if (typeof dialect === "string" && dialect !== "auto") {
-    notSupported(at("dialect"), `"${dialect}"`);
-  }
-  optional(dialect, (value) => oneOf(value, ["auto"], at("dialect")));
-  return { profile: profile(options) };
+  return {
+    dialect: optional(options.dialect, (value) => oneOf(value, dialects, at("dialect"))),
+    profile: profile(options),
+    blockDelete: optional(options.blockDelete, truth, at("blockDelete")) ?? false,
+  };
 }
 
 /**

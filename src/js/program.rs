@@ -3,7 +3,7 @@
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::argument::BadArgument;
-use super::names::{ProfileName, profile};
+use super::names::{DialectName, ProfileName, dialect, profile};
 use super::numbering::Numbering;
 use super::polylines::Polylines;
 use super::polylines_handle::PolylinesHandle;
@@ -11,7 +11,7 @@ use super::programmed::contours_json;
 use super::report::{diagnostics_json, gouges_json};
 use super::settings::Settings;
 use super::tool_path::ToolPathHandle;
-use crate::program::{Dialect, Interpretation, Item, Program, ProgrammedContour, interpret};
+use crate::program::{Interpretation, Item, Program, ProgrammedContour, Rules, interpret};
 use crate::simulation::{ListedTool, Profile, ToolSize, Tools, check_program, compensate_program};
 
 /// A program that was read and understood; `Program` of `types.d.ts` holds one.
@@ -25,10 +25,17 @@ pub struct ProgramHandle {
 /// Reads a program. What was not understood is a diagnostic.
 #[wasm_bindgen(js_name = parseProgram)]
 #[must_use]
-pub fn parse_program(text: &str, profile_name: Option<ProfileName>) -> ProgramHandle {
+pub fn parse_program(
+    text: &str,
+    dialect_name: Option<DialectName>,
+    profile_name: Option<ProfileName>,
+    block_delete: bool,
+) -> ProgramHandle {
+    let dialect = dialect_name.and_then(dialect).unwrap_or_default();
     let profile = profile_name.and_then(profile).unwrap_or_default();
-    let program = Program::parse(text, Dialect::Auto);
-    ProgramHandle { interpretation: interpret(&program, profile.rules()), profile }
+    let rules = Rules { block_delete, ..profile.rules() };
+    let interpretation = interpret(&Program::parse(text, dialect), rules);
+    ProgramHandle { interpretation, profile }
 }
 
 impl ProgramHandle {

@@ -33,6 +33,12 @@ impl ToolPathHandle {
 
 #[wasm_bindgen]
 impl ToolPathHandle {
+    /// The number of moves.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.path.moves.len()
+    }
+
     /// `records()` of `types.d.ts`, of the moves from one index to another.
     #[must_use]
     pub fn records(&self, from: usize, to: usize) -> Vec<f64> {

@@ -210,14 +210,19 @@ export function flatten(
 
 /** How a program is read. */
 export interface ParseOptions {
-  /** The dialect of G-code; this version knows its own reading of the common words only. */
-  dialect?: "auto";
+  /** How the text is to be understood. Default `"auto"`: the dialect that it shows signs of. */
+  dialect?: Dialect;
   /**
    * The control that the program is written for: it decides what the words of compensation may ask
    * for, and is the profile of `compensate` unless that names another. Default `"g41"`.
    */
   profile?: Profile;
+  /** Whether blocks that begin with `/` are left out. Default `false`. */
+  blockDelete?: boolean;
 }
+
+/** The language that a program is written in. */
+export type Dialect = "auto" | "linuxcnc" | "fanuc" | "sinumerik";
 
 /**
  * Whose rules of compensation are followed: a named set of the options of `compensate`, and of how
@@ -229,7 +234,7 @@ export type Profile = "g41" | "linuxcnc" | "fanuc" | "isg" | "sinumerik";
  * Reads a program. This never fails as a whole: what was not understood is a diagnostic with its
  * block and column.
  *
- * @throws {G41Error} `"bad-argument"`, `"not-supported"` (another dialect)
+ * @throws {G41Error} `"bad-argument"`
  */
 export function parseProgram(text: string, options?: ParseOptions): Program;
 

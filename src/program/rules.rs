@@ -11,4 +11,6 @@ pub struct Rules {
     pub is_strict: bool,
     /// Without a D word, and with D0, the tool is the one that the last M6 put into the spindle.
     pub spindle_tool: bool,
+    /// Blocks that begin with / are left out: the switch of the control is on.
+    pub block_delete: bool,
 }

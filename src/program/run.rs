@@ -23,6 +23,9 @@ pub fn interpret(program: &Program, rules: Rules) -> Interpretation {
     let mut last = None;
     for block in blocks.by_ref() {
         last = Some(block.origin());
+        if block.skippable && rules.block_delete {
+            continue;
+        }
         if interpreter.block(block) == Flow::End {
             break;
         }

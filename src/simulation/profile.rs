@@ -48,6 +48,11 @@ impl Profile {
     #[must_use]
     pub fn rules(self) -> Rules {
         let is_linuxcnc = self == Self::LinuxCnc;
-        Rules { any_lead: is_linuxcnc, is_strict: is_linuxcnc, spindle_tool: is_linuxcnc }
+        Rules {
+            any_lead: is_linuxcnc,
+            is_strict: is_linuxcnc,
+            spindle_tool: is_linuxcnc,
+            ..Rules::default()
+        }
     }
 }

@@ -143,7 +143,11 @@ test("options for programs", () => {
     [{ tools: { 1: 3 } }, "options.tools[1]"],
     [{ tools: { one: { radius: 3 } } }, "options.tools[one]"],
     [{ tools: { 1: { radius: Number.NaN } } }, "options.tools[1].radius"],
-    [{ tools: { 1: { diameter: 6 } } }, "options.tools[1].diameter"],
+    [{ tools: { 1: { width: 6 } } }, "options.tools[1].width"],
+    [{ tools: { 1: { diameter: "6" } } }, "options.tools[1].diameter"],
+    [{ tools: { 1: { diameter: 6, radius: 3 } } }, "options.tools[1]"],
+    [{ tools: { 1: { diameter: 6, orientation: 10 } } }, "options.tools[1].orientation"],
+    [{ tools: { 1: { radius: 6, orientation: 1.5 } } }, "options.tools[1].orientation"],
     [{ radius: "3" }, "options.radius"],
   ]) {
     throwsCode(() => compensate(read, options), "bad-argument", path);
@@ -186,14 +190,12 @@ test("options and path of the judge", () => {
 });
 
 test("what a later version will have is named as such", () => {
-  for (const option of [
-    { lead: "intersection" },
-    { lead: "extra-move" },
-  ]) {
+  for (const option of [{ lead: "intersection" }, { lead: "extra-move" }]) {
     const path = `options.${Object.keys(option)[0]}`;
     throwsCode(() => compensate(part, { ...left, ...option }), "not-supported", path);
   }
-  throwsCode(() => parseProgram("", { dialect: "fanuc" }), "not-supported", "options.dialect");
+  throwsCode(() => parseProgram("", { dialect: "basic" }), "bad-argument", "options.dialect");
+  throwsCode(() => parseProgram("", { blockDelete: 1 }), "bad-argument", "options.blockDelete");
   throwsCode(() => parseProgram("", { profile: "iso" }), "bad-argument", "options.profile");
 });
 

@@ -1,0 +1,108 @@
+// g41 check: programs are compensated and judged by distances.
+import { compensate, check as judge, parseProgram } from "../node.js";
+import { exit, misused } from "./failure.js";
+import { nameOf, readText } from "./input.js";
+import { write } from "./output.js";
+import { Progress } from "./progress.js";
+import { report } from "./report.js";
+import { checkOptions, parseOptions, programOptions, toolsOf } from "./settings.js";
+
+/** @typedef {import("./arguments.js").Values} Values */
+/** @typedef {import("../types.d.ts").Diagnostic} Diagnostic */
+/** @typedef {import("../types.d.ts").Gouge} Gouge */
+/** @typedef {import("../types.d.ts").Origin} Origin */
+
+/** What is done, and which part of the time it takes. */
+const steps = /** @type {const} */ ([
+  ["reading", 3],
+  ["compensating", 4],
+  ["judging", 3],
+]);
+
+/**
+ * @param {readonly string[]} files
+ * @param {Values} values
+ * @returns {Promise<number>} the exit code
+ */
+export async function check(files, values) {
+  if (files.length === 0) {
+    misused("the program is missing", "g41 check FILE…, or g41 check - for standard input");
+  }
+  const tools = await toolsOf(values);
+  /** @type {number} */
+  let code = exit.fine;
+  for (const file of files) {
+    const { text } = await readText(file);
+    const progress = new Progress(process.stderr, text.length, steps);
+    progress.next();
+    const program = parseProgram(text, parseOptions(values));
+    progress.next();
+    const path = compensate(program, programOptions(values, tools));
+    progress.next();
+    const gouges = judge(program, path, checkOptions(values, tools));
+    const found = [...path.diagnostics, ...untold(gouges, path.diagnostics)];
+    program[Symbol.dispose]?.();
+    path[Symbol.dispose]?.();
+    progress.end();
+    report(nameOf(file), found);
+    const count = (/** @type {Diagnostic["severity"]} */ severity) =>
+      found.filter((diagnostic) => diagnostic.severity === severity).length;
+    const [errors, warnings] = [count("error"), count("warning")];
+    const summary = [numbered(errors, "error"), numbered(warnings, "warning"), worst(gouges)];
+    await write(undefined, [`${nameOf(file)}: ${summary.join(", ")}\n`], "utf8");
+    if (errors > 0 || gouges.length > 0) {
+      code = exit.faults;
+    }
+  }
+  return code;
+}
+
+/**
+ * The gouges that the judge alone has found, as diagnostics.
+ *
+ * @param {readonly Gouge[]} gouges
+ * @param {readonly Diagnostic[]} told
+ * @returns {Diagnostic[]}
+ */
+function untold(gouges, told) {
+  const known = new Set();
+  for (const { depth, origin, segments } of told) {
+    for (const one of depth === undefined ? [] : [origin, ...(segments ?? [])]) {
+      known.add(line(one));
+    }
+  }
+  return gouges
+    .filter(({ segments }) => !segments.some((one) => known.has(line(one))))
+    .map(({ at, depth, segments: [origin] }) => ({
+      severity: "error",
+      code: "gouge",
+      message: `the tool cuts ${rounded(depth)} mm too deep at X${rounded(at[0])} Y${rounded(at[1])}`,
+      hint: "use a smaller tool, or --gouge avoid",
+      ...(origin ? { origin } : {}),
+    }));
+}
+
+/** @param {Origin | undefined} origin */
+function line(origin) {
+  return origin && "block" in origin ? origin.block : undefined;
+}
+
+/** @param {readonly Gouge[]} gouges */
+function worst(gouges) {
+  const deepest = gouges.reduce((most, { depth }) => Math.max(most, depth), 0);
+  const rest = gouges.length > 0 ? ` of up to ${rounded(deepest)} mm` : "";
+  return numbered(gouges.length, "gouge") + rest;
+}
+
+/**
+ * @param {number} count
+ * @param {string} noun
+ */
+function numbered(count, noun) {
+  return `${count === 0 ? "no" : count} ${noun}${count === 1 ? "" : "s"}`;
+}
+
+/** @param {number} length [mm] */
+function rounded(length) {
+  return Number(length.toPrecision(4));
+}

@@ -1,0 +1,63 @@
+// g41 convert: a program becomes the path of the tool centre, as a program or as JSON.
+import { compensate, parseProgram } from "../node.js";
+import { useToolPath } from "../tool_path.js";
+import { exit, misused } from "./failure.js";
+import { nameOf, readText } from "./input.js";
+import { jsonPieces } from "./json.js";
+import { keepInputs, write } from "./output.js";
+import { Progress } from "./progress.js";
+import { report } from "./report.js";
+import { gcodeOptions, parseOptions, programOptions, toolsOf } from "./settings.js";
+
+/** @typedef {import("./arguments.js").Values} Values */
+
+/** What is done, and which part of the time it takes. */
+const steps = /** @type {const} */ ([
+  ["reading", 3],
+  ["compensating", 4],
+  ["writing", 3],
+]);
+
+/**
+ * @param {readonly string[]} files
+ * @param {Values} values
+ * @returns {Promise<number>} the exit code
+ */
+export async function convert(files, values) {
+  const [file, another] = files;
+  if (file === undefined || another !== undefined) {
+    const what =
+      file === undefined ? "the program is missing" : `${another}: one program at a time`;
+    misused(what, "g41 convert FILE, or g41 convert - for standard input");
+  }
+  const { output, json } = /** @type {{ output?: string, json?: true }} */ (values);
+  const table = /** @type {string | undefined} */ (values["tool-table"]);
+  if (output !== undefined) {
+    await keepInputs(output, table === undefined ? [file] : [file, table]);
+  }
+  const tools = await toolsOf(values);
+  const { text, encoding } = await readText(file);
+  const progress = new Progress(process.stderr, text.length, steps);
+  progress.next();
+  const program = parseProgram(text, parseOptions(values));
+  progress.next();
+  const path = compensate(program, programOptions(values, tools));
+  program[Symbol.dispose]?.();
+  progress.next();
+  let found = path.diagnostics;
+  if (json) {
+    const total = useToolPath(path, (raw) => raw.count());
+    await write(
+      output,
+      jsonPieces(path, (done) => progress.part(done / total)),
+      "utf8",
+    );
+  } else {
+    const emitted = path.emit(gcodeOptions(values));
+    found = [...found, ...emitted.diagnostics];
+    await write(output, [emitted.text], encoding);
+  }
+  progress.end();
+  report(nameOf(file), found);
+  return found.some(({ severity }) => severity === "error") ? exit.faults : exit.fine;
+}

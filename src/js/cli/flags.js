@@ -1,0 +1,107 @@
+// The options of the commands: what each takes and means; --help and the reading of arguments follow it.
+import { corners, dialects, gouges, leads, profiles, splines, targets } from "../options.js";
+
+/**
+ * @typedef {object} Flag
+ * @property {string} help what it does
+ * @property {string} [value] what its value is called; without it the option takes none
+ * @property {readonly string[]} [names] the values that there are
+ * @property {"number"} [kind] that its value is a number
+ * @property {boolean} [several] whether it may be given more than once
+ * @property {string} [short] its one-letter name
+ */
+
+/** @typedef {{ title: string, flags: Readonly<Record<string, Flag>> }} Group */
+
+/** @type {Group} */
+const reading = {
+  title: "How the program is read",
+  flags: {
+    from: { value: "DIALECT", names: dialects, help: "the dialect; by default it is found out" },
+    "block-delete": { help: "leave out the blocks that begin with /" },
+  },
+};
+
+/** @type {Group} */
+const tools = {
+  title: "Tools, by their D word, or else the active T",
+  flags: {
+    tool: { value: "D=R", several: true, help: "radius R of tool D [mm]; may be repeated" },
+    "tool-table": {
+      value: "FILE.tbl",
+      help: "LinuxCNC's tool table; its diameters count in the unit of the program",
+    },
+    radius: { value: "R", kind: "number", help: "radius of every other tool [mm]" },
+  },
+};
+
+/** @type {Group} */
+const path = {
+  title: "The tool path",
+  flags: {
+    profile: { value: "PROFILE", names: profiles, help: "the control to compensate like" },
+    gouge: {
+      value: "POLICY",
+      names: gouges,
+      help: "what becomes of places where the tool does not fit",
+    },
+    tolerance: { value: "T", kind: "number", help: "of the path, and of arcs for splines [mm]" },
+    corner: { value: "STYLE", names: corners, help: "what is inserted at outside corners" },
+    lead: { value: "STYLE", names: leads, help: "how compensation is switched on and off" },
+    spline: { value: "METHOD", names: splines, help: "how splines are compensated" },
+  },
+};
+
+/** @type {Group} */
+const writing = {
+  title: "What is written",
+  flags: {
+    to: { value: "TARGET", names: targets, help: "the controller to write for" },
+    feed: { value: "F", kind: "number", help: "feed of moves that have none [mm/min]" },
+    clearance: { value: "H", kind: "number", help: "height to cross at between pieces [mm]" },
+    "native-splines": { help: "write splines as such where the controller knows them" },
+    explain: { help: "write a comment at each move that was not programmed, telling why" },
+    json: { help: "write moves, transitions and diagnostics as JSON instead of a program" },
+    output: { short: "o", value: "OUT", help: "write to this file; otherwise to standard output" },
+  },
+};
+
+/** @type {Group} */
+const general = {
+  title: "Others",
+  flags: {
+    help: { short: "h", help: "print this help" },
+    version: { short: "V", help: "print the version" },
+  },
+};
+
+/** @typedef {{ purpose: string, usage: string, groups: readonly Group[] }} Command */
+
+/** @type {Readonly<Record<string, Command>>} */
+export const commands = {
+  convert: {
+    purpose:
+      "Reads a program with G41, G42 or splines, and writes one for the centre of the tool that needs neither.",
+    usage: "g41 convert FILE [OPTIONS]",
+    groups: [reading, tools, path, writing, general],
+  },
+  check: {
+    purpose:
+      "Reads programs, compensates them, and judges by distances alone whether the tool cuts into what should stay. Ends with exit code 1 where it does, or where a program has errors.",
+    usage: "g41 check FILE… [OPTIONS]",
+    groups: [reading, tools, path, general],
+  },
+};
+
+/** The options that do not need a command. */
+export const withoutCommand = [general];
+
+/**
+ * The options of several groups by their name.
+ *
+ * @param {readonly Group[]} groups
+ * @returns {Readonly<Record<string, Flag>>}
+ */
+export function flagsOf(groups) {
+  return Object.assign({}, ...groups.map(({ flags }) => flags));
+}

@@ -1,0 +1,131 @@
+// Writes the result: to standard output, or to a file that appears complete or not at all.
+import { createWriteStream } from "node:fs";
+import { realpath, rename, rm, stat } from "node:fs/promises";
+import { basename, dirname, join } from "node:path";
+
+import { fileTrouble, misused } from "./failure.js";
+import { standardInput } from "./input.js";
+
+/** @typedef {import("node:fs").Stats} Stats */
+
+/**
+ * Ends the command if writing a file would overwrite what is read.
+ *
+ * @param {string} output
+ * @param {readonly string[]} inputs
+ */
+export async function keepInputs(output, inputs) {
+  const there = await stats(output);
+  for (const input of inputs.filter((path) => path !== standardInput)) {
+    const read = await stats(input);
+    if (there && read && there.isFile() && there.ino === read.ino && there.dev === read.dev) {
+      misused(`${output} is what is read: it is not overwritten`, "write to another file");
+    }
+  }
+}
+
+/**
+ * Writes pieces of text to standard output, or to a file.
+ *
+ * @param {string | undefined} path
+ * @param {Iterable<string>} pieces
+ * @param {import("./input.js").Encoding} encoding
+ */
+export async function write(path, pieces, encoding) {
+  if (path === undefined) {
+    await pour(process.stdout, pieces, encoding);
+    return;
+  }
+  try {
+    await writeFile(path, pieces, encoding);
+  } catch (error) {
+    fileTrouble(path, error);
+  }
+}
+
+/**
+ * @param {string} path
+ * @param {Iterable<string>} pieces
+ * @param {import("./input.js").Encoding} encoding
+ */
+async function writeFile(path, pieces, encoding) {
+  const there = await stats(path);
+  if (there && !there.isFile()) {
+    // A device or a pipe cannot be replaced.
+    await pour(createWriteStream(path), pieces, encoding, true);
+    return;
+  }
+  // A link stays a link to what it leads to.
+  const place = there ? await realpath(path) : path;
+  const draft = join(dirname(place), `.${basename(place)}.${process.pid}.tmp`);
+  const interrupted = () => {
+    rm(draft, { force: true }).finally(() => process.exit(130));
+  };
+  process.once("SIGINT", interrupted).once("SIGTERM", interrupted);
+  try {
+    const mode = there ? there.mode & 0o777 : 0o666;
+    await pour(
+      createWriteStream(draft, { flags: "wx", mode, flush: true }),
+      pieces,
+      encoding,
+      true,
+    );
+    await rename(draft, place);
+  } catch (error) {
+    await rm(draft, { force: true });
+    throw error;
+  } finally {
+    process.off("SIGINT", interrupted).off("SIGTERM", interrupted);
+  }
+}
+
+/**
+ * @param {import("node:stream").Writable} stream
+ * @param {Iterable<string>} pieces
+ * @param {import("./input.js").Encoding} encoding
+ * @param {boolean} [ends] whether the stream ends here
+ */
+async function pour(stream, pieces, encoding, ends = false) {
+  /** @type {Error | undefined} */
+  let failure;
+  /** @type {Promise<void>} */
+  const failed = new Promise((resolve) => {
+    stream.on("error", (error) => {
+      failure = error;
+      resolve();
+    });
+  });
+  for (const piece of pieces) {
+    if (failure) {
+      break;
+    }
+    if (!stream.write(piece, encoding)) {
+      await Promise.race([new Promise((resolve) => stream.once("drain", resolve)), failed]);
+    }
+  }
+  if (!failure) {
+    /** @type {Promise<void>} */
+    const arrived = new Promise((resolve) => {
+      if (ends) {
+        stream.end(resolve);
+      } else {
+        stream.write("", () => resolve());
+      }
+    });
+    await Promise.race([arrived, failed]);
+  }
+  // Who reads standard output may have read enough.
+  if (failure && /** @type {NodeJS.ErrnoException} */ (failure).code !== "EPIPE") {
+    throw failure;
+  }
+}
+
+/**
+ * What there is at a path, if anything.
+ *
+ * @param {string} path
+ * @returns {Promise<Stats | undefined>}
+ */
+async function stats(path) {
+  return stat(path).catch(() => undefined);
+}

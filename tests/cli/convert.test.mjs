@@ -1,0 +1,135 @@
+// g41 convert: what becomes of programs, with tools from every source.
+import assert from "node:assert/strict";
+import { readdirSync } from "node:fs";
+import { join } from "node:path";
+import { test } from "node:test";
+
+import { compensate, parseProgram } from "../../dist/node.js";
+import { npm, root } from "../../scripts/command.mjs";
+import { centres, corner, installed, pointsOf, sample } from "./command.mjs";
+
+const programs = readdirSync(join(root, "tests/programs")).filter((name) => /\.\w+$/.test(name));
+
+const { g41, read, home } = installed({
+  "corner.ngc": corner,
+  "inch.ngc": `G20\n${corner}`,
+  "two.ngc": `${corner.replace("M30\n", "")}${corner.replace("D1", "D2")}`,
+  // A slot of 4 mm between two walls.
+  "slot.txt": "G0 X2 Y40\nG1 G41 D1 X0 Y20 F300\nY0\nX4\nY20\nG40 X2 Y40\nM30\n",
+  "skipped.ngc": corner.replace("X30", "/X99\nX30"),
+  "tools.tbl": "P3 T1 Z+10.5 D6.0 ;the left one\n\n; nothing here\nT2 P2 d8 Q0\nT3 P4\n",
+  ...Object.fromEntries(programs.map((name) => [name, sample(name)])),
+});
+
+test("a corner becomes the path that the textbook's formulas give", async () => {
+  const { code, out, err } = await g41(["convert", "corner.ngc", "--radius", "3"]);
+  assert.deepEqual([code, err], [0, ""]);
+  assert.deepEqual(pointsOf(out), centres(3));
+  assert.doesNotMatch(out, /G4[12]/);
+});
+
+test("npx runs it from an installed package", async () => {
+  const args = [
+    "exec",
+    "--offline",
+    "--",
+    "g41",
+    "convert",
+    "corner.ngc",
+    "--radius=3",
+    "-o",
+    "npx.nc",
+  ];
+  await npm(args, { cwd: home() });
+  assert.deepEqual(pointsOf(read("npx.nc")), centres(3));
+});
+
+test("every program becomes what the package itself writes, and that can be converted again", async () => {
+  assert.ok(programs.length >= 7, "there are programs");
+  for (const name of programs) {
+    const first = await g41(["convert", name, "--radius", "0.5"]);
+    const program = parseProgram(sample(name));
+    assert.equal(first.out, compensate(program, { radius: 0.5 }).gcode(), name);
+    assert.doesNotMatch(first.out, /^[^(;]*\bG0*(4[12]|5)\b/m, name);
+    const again = await g41(["convert", "-"], { input: first.out });
+    assert.deepEqual(pointsOf(again.out), pointsOf(first.out), name);
+  }
+});
+
+test("a negative radius swaps the side", async () => {
+  const { out } = await g41(["convert", "corner.ngc", "--radius", "-3"]);
+  // On the right, that corner is inside: both offsets are cut back to where they meet.
+  assert.ok(
+    pointsOf(out).some(([x, y]) => x === 3 && y === 37),
+    out,
+  );
+});
+
+test("--tool, --tool-table and --radius each give radii, the nearest to the tool wins", async () => {
+  const radii = async (...options) => {
+    const { code, out, err } = await g41(["convert", "two.ngc", ...options]);
+    assert.equal(code, 0, err);
+    // The corner of each of the two contours is as far from it as the radius.
+    return pointsOf(out)
+      .filter(([x, y]) => x < 0 && y > 40)
+      .map(([x]) => -x);
+  };
+  assert.deepEqual(await radii("--radius", "2"), [2, 2]);
+  assert.deepEqual(await radii("--tool", "1=2.5", "--tool", "2=5"), [2.5, 5]);
+  assert.deepEqual(await radii("--tool-table", "tools.tbl"), [3, 4]);
+  assert.deepEqual(await radii("--tool-table", "tools.tbl", "--tool=2=1"), [3, 1]);
+  assert.deepEqual(await radii("--tool", "2=1", "--radius", "7"), [7, 1]);
+});
+
+test("diameters of a table count in the unit in effect where compensation is switched on", async () => {
+  const { out } = await g41(["convert", "inch.ngc", "--tool-table", "tools.tbl"]);
+  const scaled = centres(3).map((point) => point.map((value) => Number((25.4 * value).toFixed(4))));
+  assert.deepEqual(pointsOf(out), scaled);
+});
+
+test("a tool that nobody knows is an error at its word, and the program is written all the same", async () => {
+  for (const tools of [[], ["--tool-table", "tools.tbl", "--from", "auto"]]) {
+    const text = corner.replace("D1", "D3");
+    const { code, out, err } = await g41(["convert", "-", ...tools], { input: text });
+    assert.equal(code, 1);
+    assert.match(err, /^<stdin>:2(:\d+)?: error: .*tool 3.* \(missing-radius\)\n {2}hint: /);
+    const programmed = [
+      [-20, 0],
+      [0, 0],
+      [0, 40],
+      [30, 40],
+      [30, 60],
+    ];
+    assert.deepEqual(pointsOf(out), programmed);
+  }
+});
+
+test("options reach the path", async () => {
+  const run = async (...args) => await g41(["convert", "corner.ngc", "--radius", "3", ...args]);
+  assert.match((await run("--corner", "arc")).out, /^G0?2 .*I/m, "an arc round the corner");
+  assert.doesNotMatch((await run("--corner", "linear")).out, /^G0?[23]\b/m);
+  assert.match((await run("--profile", "linuxcnc")).out, /^G0?2 /m, "as LinuxCNC rounds it");
+  const skipped = (...args) => g41(["convert", "skipped.ngc", "--radius", "3", ...args]);
+  assert.deepEqual(pointsOf((await skipped("--block-delete")).out), centres(3));
+  assert.ok(
+    pointsOf((await skipped()).out).some(([x]) => x > 90),
+    "the block is there",
+  );
+  const noFeed = { input: corner.replace("F300", "") };
+  const given = await g41(["convert", "-", "--radius", "3", "--feed", "123"], noFeed);
+  assert.match(given.out, /F123\b/);
+  assert.equal(given.code, 0);
+});
+
+test("a gouge is told with its place; it is avoided, or nothing is written, as --gouge says", async () => {
+  const run = async (...args) => await g41(["convert", "slot.txt", "--radius", "3", ...args]);
+  const reported = await run();
+  assert.equal(reported.code, 1);
+  assert.match(reported.err, /^slot\.txt:\d+(:\d+)?: error: .* \([a-z-]+\)$/m);
+  assert.ok(pointsOf(reported.out).length > 3, "the path as a control would cut it");
+  const stopped = await run("--gouge", "stop");
+  assert.equal(stopped.code, 1);
+  assert.deepEqual(pointsOf(stopped.out), []);
+  const mirrored = await g41(["convert", "corner.ngc", "--radius", "3", "--gouge", "avoid"]);
+  assert.deepEqual([mirrored.code, pointsOf(mirrored.out)], [0, centres(3)]);
+});

@@ -1,0 +1,123 @@
+// What is read and written: results that appear whole or not at all, inputs that stay as they are.
+import assert from "node:assert/strict";
+import { spawn } from "node:child_process";
+import {
+  chmodSync,
+  linkSync,
+  readdirSync,
+  readFileSync,
+  statSync,
+  symlinkSync,
+  writeFileSync,
+} from "node:fs";
+import { test } from "node:test";
+
+import { centres, corner, installed, pointsOf } from "./command.mjs";
+
+const { g41, read, write, path, home } = installed({
+  "part.ngc": corner,
+  "tools.tbl": "T1 P1 D6\n",
+});
+
+const radius = ["--radius", "3"];
+
+test("-o writes the file, and leaves nothing else behind", async () => {
+  const before = readdirSync(home());
+  const { code, out } = await g41(["convert", "part.ngc", ...radius, "-o", "out.nc"]);
+  assert.deepEqual([code, out], [0, ""]);
+  assert.deepEqual(pointsOf(read("out.nc")), centres(3));
+  assert.deepEqual(readdirSync(home()).sort(), [...before, "out.nc"].sort());
+});
+
+test("a file that is there is replaced, keeps its rights, and a link stays a link", async () => {
+  write("old.nc", "old");
+  chmodSync(path("old.nc"), 0o640);
+  symlinkSync("old.nc", path("link.nc"));
+  const { code } = await g41(["convert", "part.ngc", ...radius, "--output", "link.nc"]);
+  assert.equal(code, 0);
+  assert.deepEqual(pointsOf(read("old.nc")), centres(3), "through the link");
+  if (process.platform !== "win32") {
+    assert.equal(statSync(path("old.nc")).mode & 0o777, 0o640);
+  }
+});
+
+test("what is read is never overwritten, by whatever name", async () => {
+  linkSync(path("part.ngc"), path("hard.ngc"));
+  symlinkSync("part.ngc", path("soft.ngc"));
+  for (const output of ["part.ngc", "./part.ngc", path("part.ngc"), "hard.ngc", "soft.ngc"]) {
+    const { code, err } = await g41(["convert", "part.ngc", ...radius, "-o", output]);
+    assert.equal(code, 2, output);
+    assert.match(err, /is what is read/);
+  }
+  assert.equal(read("part.ngc"), corner);
+  const table = await g41(["convert", "part.ngc", "--tool-table", "tools.tbl", "-o", "tools.tbl"]);
+  assert.equal(table.code, 2);
+  assert.equal(read("tools.tbl"), "T1 P1 D6\n");
+});
+
+test("a file that cannot be read or written ends with exit code 3 and says why", async () => {
+  for (const [args, says] of [
+    [["convert", "absent.ngc"], /^g41: error: absent\.ngc: there is no such file/],
+    [["check", "absent.ngc"], /absent\.ngc: there is no such file/],
+    [["convert", "."], /\.: this is a folder/],
+    [
+      ["convert", "part.ngc", ...radius, "-o", "absent/out.nc"],
+      /absent\/out\.nc: there is no such/,
+    ],
+    [["convert", "part.ngc", "--tool-table", "absent.tbl"], /absent\.tbl: there is no such file/],
+  ]) {
+    const { code, out, err } = await g41(args);
+    assert.deepEqual([code, out], [3, ""], args.join(" "));
+    assert.match(err, says);
+  }
+});
+
+test("a text that is not UTF-8 comes out as it went in", async () => {
+  const bytes = Buffer.from(`(Fr\u00e4ser)\n${corner}`, "latin1");
+  writeFileSync(path("latin.ngc"), bytes);
+  const { code } = await g41(["convert", "latin.ngc", ...radius, "-o", "latin.nc"]);
+  assert.equal(code, 0);
+  assert.ok(readFileSync(path("latin.nc")).includes(Buffer.from("Fr\u00e4ser", "latin1")));
+  const utf8 = await g41(["convert", "-", ...radius], { input: `\ufeff(Fr\u00e4ser)\n${corner}` });
+  assert.deepEqual([utf8.code, utf8.err], [0, ""]);
+  assert.match(utf8.out, /\(Fr\u00e4ser\)/);
+});
+
+test("who reads standard output may stop reading", async () => {
+  const lines = Array.from({ length: 20_000 }, (_, i) => `G1 X${i} Y${i % 7} F100`);
+  write("long.ngc", lines.join("\n"));
+  const command = path("node_modules/g41/dist/cli.js");
+  const child = spawn(process.execPath, [command, "convert", path("long.ngc"), "--json"]);
+  let errors = "";
+  child.stderr.setEncoding("utf8").on("data", (text) => {
+    errors += text;
+  });
+  child.stdout.once("data", () => child.stdout.destroy());
+  const code = await new Promise((resolve) => child.on("close", resolve));
+  assert.deepEqual([code, errors], [0, ""]);
+});
+
+test("the table of tools is refused where it is not understood, with its line", async () => {
+  for (const [table, says] of [
+    [
+      "POCKET FMS LEN DIAM COMMENT\n1 1 0.5 0.25\n",
+      /:1: "POCKET" is not of LinuxCNC's present format/,
+    ],
+    ["; old\n  1   1   0.511  0.125  mill\n", /:2: "1" is not of LinuxCNC's present format/],
+    ["T1 P1 D6\nP2 D3 ;no T\n", /:2: this line names no tool/],
+    ["T1 P1 D6\nT1 P2 D8\n", /:2: there is a tool T1 already/],
+    ["T1 D6 D8\n", /:1: there are two D words/],
+    ["T1 P1 Dsix\n", /:1: "Dsix" is not/],
+    ["T1 P1 K3\n", /:1: "K3" is not understood/],
+    ["T1.5 P1 D3\n", /:1: T1\.5 is no number of a tool/],
+    ["T1 P1 D3 Q12\n", /:1: Q12 is no orientation/],
+  ]) {
+    write("bad.tbl", table);
+    const { code, out, err } = await g41(["convert", "part.ngc", "--tool-table", "bad.tbl"]);
+    assert.deepEqual([code, out], [3, ""], table);
+    assert.match(err, says);
+  }
+  write("lathe.tbl", "q3 i-85.0 J-5 D+6.000 X1.5 z-2 t1 p1;lathe\r\n");
+  const { code, out } = await g41(["convert", "part.ngc", "--tool-table", "lathe.tbl"]);
+  assert.deepEqual([code, pointsOf(out)], [0, centres(3)]);
+});
