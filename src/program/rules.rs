@@ -3,6 +3,7 @@
 /// What differs from control to control. By default everything that has a meaning is read, as the
 /// textbook's machine does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[expect(clippy::struct_excessive_bools, reason = "each is a rule of its own")]
 pub struct Rules {
     /// Any move leads in, an arc too, and any straight one leads out, along the normal of the plane
     /// or of no length too; arcs are taken as they are stated.
