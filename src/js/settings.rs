@@ -83,7 +83,6 @@ impl Settings {
             tangent_band: self.tangent_band.unwrap_or(base.tangent_band),
             gouge: self.gouge.unwrap_or(base.gouge),
             passes: self.passes,
-            ..base
         }
     }
 }

@@ -6,7 +6,7 @@ import { useToolPath } from "../tool_path.js";
 const count = 4096;
 
 /**
- * `{ "moves": […], "transitions": […], "diagnostics": […] }`, an item in each line.
+ * `{ "moves": […], "transitions": […], "diagnostics": […] }`.
  *
  * @param {import("../tool_path.js").ToolPath} path
  * @param {(done: number) => void} progress is told how many moves are done
@@ -14,30 +14,35 @@ const count = 4096;
  */
 export function* jsonPieces(path, progress) {
   yield '{"moves":[';
-  yield* items((from, to) => {
+  yield* list((from, to) => {
     progress(from);
-    return unpackMoves(useToolPath(path, (raw) => raw.records(from, to)));
+    const moves = unpackMoves(useToolPath(path, (raw) => raw.records(from, to)));
+    return moves.map((move) => JSON.stringify(move)).join(",\n");
   });
   yield '],\n"transitions":[';
-  yield* items((from, to) => JSON.parse(useToolPath(path, (raw) => raw.transitions(from, to))));
+  // The core writes them as JSON, of which all but the brackets is taken.
+  yield* list((from, to) => useToolPath(path, (raw) => raw.transitions(from, to)).slice(1, -1));
   yield '],\n"diagnostics":[';
-  yield* items((from, to) => path.diagnostics.slice(from, to));
+  yield* list((from, to) => {
+    const some = path.diagnostics.slice(from, to);
+    return some.map((diagnostic) => JSON.stringify(diagnostic)).join(",\n");
+  });
   yield "]}\n";
 }
 
 /**
- * @param {(from: number, to: number) => readonly unknown[]} read the items from one index to another
+ * What is between the brackets of a list.
+ *
+ * @param {(from: number, to: number) => string} write the items from one index to another; nothing
+ *   where there are none
  * @returns {Generator<string, void>}
  */
-function* items(read) {
+function* list(write) {
   for (let from = 0; ; from += count) {
-    const some = read(from, from + count);
-    if (some.length > 0) {
-      const separator = from === 0 ? "\n" : ",\n";
-      yield separator + some.map((item) => JSON.stringify(item)).join(",\n");
-    }
-    if (some.length < count) {
+    const items = write(from, from + count);
+    if (!items) {
       return;
     }
+    yield (from === 0 ? "\n" : ",\n") + items;
   }
 }
