@@ -194,7 +194,7 @@ fn words_keep_their_place_and_those_of_compensation_disappear() {
             "(change to tool 1)",
             "M0",
             "G0 X0 Y-9",
-            "M3 S900",
+            "S900 M3",
             "G1 Y0 F100",
             "(side)",
             "X9",
@@ -230,7 +230,7 @@ fn a_first_height_at_zero_is_reached_as_programmed() {
 fn positions_are_stated_again_in_another_coordinate_system() {
     let path = path_of("G54\nG0 X10 Y5\nZ2\nG55\nX10 Y5\nZ2\nG56\nX10 Y9 Z2\nM2\n");
     let text = write(&path).text;
-    let expected = ["G54", "G0 X10 Y5", "Z2", "G55", "X10 Y5", "Z2", "G56", "X10 Y9", "Z2", "M2"];
+    let expected = ["G54", "G0 X10 Y5", "Z2", "G55", "X10 Y5", "Z2", "G56", "X10 Y9 Z2", "M2"];
     assert_eq!(blocks(&text), expected, "{text}");
 }
 

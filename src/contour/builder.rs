@@ -13,9 +13,13 @@ use crate::geometry::{
     SplineEnds, in_range,
 };
 
-/// How much an arc's two radii may differ [mm]: programs in inches round to 0.0025 mm, so a
-/// centre and two ends may disagree by a few times that.
-pub const ARC_TOLERANCE: f64 = 0.01;
+/// How much an arc's two radii may differ [mm], unless it is by less than
+/// [`RELATIVE_ARC_TOLERANCE`]: twice the diagonal of a square of 0.01 mm, as much as rounding a
+/// centre and an end to two decimals makes of it, and what `LinuxCNC` lets pass.
+pub const ARC_TOLERANCE: f64 = 0.028_284_271;
+
+/// How much an arc's two radii may differ, as a part of them.
+pub const RELATIVE_ARC_TOLERANCE: f64 = 1e-3;
 
 /// A segment as described: all but its start, which is the end of the one before it.
 #[derive(Debug, Clone, PartialEq)]
@@ -238,7 +242,9 @@ impl ContourBuilder {
                 }
                 Shape::Line { to } => Line::new(from, *to).map(Curve::Line),
                 Shape::Arc { to, center, clockwise } => {
-                    Arc::from_center(from, *to, *center, *clockwise, ARC_TOLERANCE)
+                    let tolerance =
+                        ARC_TOLERANCE.max(RELATIVE_ARC_TOLERANCE * from.distance(*center));
+                    Arc::from_center(from, *to, *center, *clockwise, tolerance)
                         .and_then(|arc| {
                             if self.keeps_centers {
                                 Arc::winding(from, *to, *center, *clockwise)

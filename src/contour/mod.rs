@@ -12,7 +12,9 @@ mod tool;
 mod tool_path;
 mod transition;
 
-pub use builder::{ARC_TOLERANCE, Built, ContourBuilder, Shape, SplineShape};
+pub use builder::{
+    ARC_TOLERANCE, Built, ContourBuilder, RELATIVE_ARC_TOLERANCE, Shape, SplineShape,
+};
 pub use corner::{Corner, CornerKind};
 pub use plane::Plane;
 pub use segment::{Attributes, Contour, Event, EventKind, Lead, Segment};

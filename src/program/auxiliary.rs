@@ -1,12 +1,37 @@
-//! Words that move nothing, put together to be passed through.
+//! Words that move nothing: M, S and T words, dwell, and what else is passed through in its place.
 
-use super::block::Block;
-use super::number::push_word;
+use super::block::{Block, Word};
+use super::dialect::Dialect;
+use super::interpret::Interpreter;
+use super::number::{push_word, whole};
+use super::words::{Words, tenths};
+use crate::geometry::Decimal;
+
+/// Millimetres of a foot, in thousandths: S under G96 is in m/min or ft/min.
+const FOOT: f64 = 0.3048;
+
+/// Where words stand in the order of execution of RS274/NGC; comments come last, stops after the
+/// move.
+pub(super) mod rank {
+    pub(crate) const NAME: u8 = 0;
+    pub(crate) const SPEED: u8 = 1;
+    pub(crate) const TOOL: u8 = 2;
+    pub(crate) const OUTPUT: u8 = 3;
+    pub(crate) const CHANGE: u8 = 4;
+    pub(crate) const SPINDLE: u8 = 5;
+    pub(crate) const COOLANT: u8 = 6;
+    pub(crate) const OVERRIDE: u8 = 7;
+    pub(crate) const USER: u8 = 8;
+    pub(crate) const DWELL: u8 = 9;
+    pub(crate) const LENGTH: u8 = 10;
+    pub(crate) const CONTROL: u8 = 11;
+    pub(crate) const STOP: u8 = 12;
+}
 
 /// The words of a block that act before its move and after it, as text.
 #[derive(Debug)]
 pub(super) struct Auxiliary<'a> {
-    before: String,
+    before: Vec<(u8, String)>,
     after: String,
     comments: &'a [String],
     /// Whether the program ends with this block.
@@ -17,42 +42,23 @@ pub(super) struct Auxiliary<'a> {
 
 impl<'a> Auxiliary<'a> {
     pub(super) fn new(block: &'a Block) -> Self {
-        let (before, after) = (String::new(), String::new());
-        Self { before, after, comments: &block.comments, end: false, stops: false }
-    }
-
-    /// A word that acts before the move.
-    pub(super) fn word(&mut self, letter: char, value: f64) {
-        space(&mut self.before);
-        push_word(&mut self.before, letter, value);
-    }
-
-    /// Words that act before the move.
-    pub(super) fn text(&mut self, words: &str) {
-        space(&mut self.before);
-        self.before.push_str(words);
-    }
-
-    /// An M word by ten times its number: stops act after the move.
-    pub(super) fn m_word(&mut self, tenths: u32, value: f64) {
-        match tenths {
-            0 | 10 | 20 | 300 | 600 => {
-                let ends = matches!(tenths, 20 | 300);
-                self.end |= ends;
-                self.stops |= !ends;
-                space(&mut self.after);
-                push_word(&mut self.after, 'M', value);
-            }
-            _ => self.word('M', value),
+        Self {
+            before: Vec::new(),
+            after: String::new(),
+            comments: &block.comments,
+            end: false,
+            stops: false,
         }
     }
 
-    /// The O word, which many controllers do not know: its number is kept as a comment.
-    pub(super) fn program_number(&mut self, value: f64) {
-        space(&mut self.before);
-        self.before.push('(');
-        push_word(&mut self.before, 'O', value);
-        self.before.push(')');
+    /// Words by their place in the order of execution.
+    pub(super) fn text(&mut self, rank: u8, text: String) {
+        if rank == rank::STOP {
+            append(&mut self.after, &text);
+            return;
+        }
+        let place = self.before.iter().position(|(other, _)| *other > rank);
+        self.before.insert(place.unwrap_or(self.before.len()), (rank, text));
     }
 
     /// Whether there are words besides comments.
@@ -61,17 +67,176 @@ impl<'a> Auxiliary<'a> {
     }
 
     /// What acts before the move, comments included, and what acts after it.
-    pub(super) fn finish(mut self) -> (String, String) {
-        for comment in self.comments {
-            space(&mut self.before);
-            self.before.push_str(comment);
+    pub(super) fn finish(self) -> (String, String) {
+        let mut before = String::new();
+        for (_, text) in &self.before {
+            append(&mut before, text);
         }
-        (self.before, self.after)
+        for comment in self.comments {
+            append(&mut before, comment);
+        }
+        (before, self.after)
     }
 }
 
-fn space(text: &mut String) {
+fn append(text: &mut String, words: &str) {
     if !text.is_empty() {
         text.push(' ');
+    }
+    text.push_str(words);
+}
+
+/// A word as text.
+pub(super) fn word(letter: char, value: f64) -> String {
+    let mut text = String::new();
+    push_word(&mut text, letter, value);
+    text
+}
+
+/// Appends the words with these letters as they are.
+pub(super) fn take_as_text(words: &mut Words, letters: &str, text: &mut String) {
+    for letter in letters.chars() {
+        if let Some(found) = words.take(letter) {
+            text.push(' ');
+            push_word(text, letter, found.value);
+        }
+    }
+}
+
+/// When an M word acts, by ten times its number, and which letters belong to it.
+fn m_word(tenths: u32) -> (u8, &'static str) {
+    match tenths {
+        0 | 10 | 20 | 300 | 600 => (rank::STOP, ""),
+        30 | 40 | 50 => (rank::SPINDLE, ""),
+        190 => (rank::SPINDLE, "RPQ"),
+        60 => (rank::CHANGE, ""),
+        610 => (rank::CHANGE, "Q"),
+        70 | 80 | 90 => (rank::COOLANT, ""),
+        480..=530 => (rank::OVERRIDE, "P"),
+        620..=650 => (rank::OUTPUT, "P"),
+        660..=680 => (rank::OUTPUT, "PELQ"),
+        1000..=1990 => (rank::USER, "PQ"),
+        _ => (rank::USER, ""),
+    }
+}
+
+impl Interpreter {
+    /// M, S, T and O words.
+    pub(super) fn auxiliary_words(
+        &mut self,
+        block: &Block,
+        words: &mut Words,
+        auxiliary: &mut Auxiliary,
+    ) {
+        // The T word acts before M6, wherever in the block it stands.
+        if let Some(number) = words.find('T').and_then(|word| whole(word.value)) {
+            self.modal.select_tool(number);
+        }
+        for (index, found) in block.words.iter().enumerate() {
+            match found.letter {
+                'S' => {
+                    self.modal.feed.set_speed(found.value);
+                    let feet = self.modal.inches && self.modal.feed.is_surface_speed();
+                    let speed = if feet { found.value * FOOT } else { found.value };
+                    auxiliary.text(rank::SPEED, word('S', speed));
+                }
+                // Many controllers do not know it: its number is kept as a comment.
+                'O' if index == 0 => {
+                    let text = format!("({})", word('O', found.value));
+                    auxiliary.text(rank::NAME, text);
+                }
+                'T' if whole(found.value).is_some() => {
+                    auxiliary.text(rank::TOOL, word('T', found.value));
+                }
+                'M' => match tenths(found) {
+                    Some(700..=739) => {
+                        self.not_supported(block, found.column, "saving modes (M70 to M73)");
+                    }
+                    Some(970 | 980 | 990) => {
+                        self.not_supported(block, found.column, "a subprogram");
+                        words.take_all("PLQ");
+                    }
+                    Some(number) => self.m_word(block, found, number, words, auxiliary),
+                    None => continue,
+                },
+                _ => continue,
+            }
+            words.use_up(index);
+        }
+    }
+
+    fn m_word(
+        &mut self,
+        block: &Block,
+        found: &Word,
+        tenths: u32,
+        words: &mut Words,
+        auxiliary: &mut Auxiliary,
+    ) {
+        match tenths {
+            20 | 300 => auxiliary.end = true,
+            0 | 10 | 600 => auxiliary.stops = true,
+            30 | 40 => self.modal.spindle = Some(tenths / 10),
+            50 => self.modal.spindle = None,
+            60 => {
+                self.modal.change_tool();
+                self.changed_while_on(block, found, "the tool");
+            }
+            610 => {
+                if let Some(number) = words.find('Q').and_then(|word| whole(word.value)) {
+                    self.modal.select_tool(number);
+                    self.modal.change_tool();
+                }
+            }
+            _ => {}
+        }
+        let (rank, letters) = m_word(tenths);
+        if rank == rank::OUTPUT || rank == rank::OVERRIDE {
+            self.not_while_on(block, found);
+        }
+        let mut text = word('M', found.value);
+        take_as_text(words, letters, &mut text);
+        auxiliary.text(rank, text);
+    }
+
+    /// G04: passed on in seconds.
+    pub(super) fn dwell(
+        &mut self,
+        block: &Block,
+        dwell: &Word,
+        words: &mut Words,
+        auxiliary: &mut Auxiliary,
+    ) {
+        let letters = match self.dialect {
+            Dialect::Sinumerik => ['F', 'P', 'X'],
+            _ => ['P', 'X', 'U'],
+        };
+        let time = letters.into_iter().find_map(|letter| words.take(letter));
+        let Some(time) = time.filter(|time| time.value >= 0.0) else {
+            let at = block.origin_at(dwell.column);
+            self.error("bad-dwell", "the dwell (G04) has no time", at, "add P in seconds");
+            return;
+        };
+        let seconds = if time.letter == 'P' { self.seconds(block, time) } else { time.value };
+        auxiliary.text(rank::DWELL, format!("G4 {}", word('P', seconds)));
+    }
+
+    /// The seconds of a P word.
+    pub(super) fn seconds(&mut self, block: &Block, time: &Word) -> f64 {
+        if self.dialect == Dialect::Fanuc {
+            return time.value / 1000.0;
+        }
+        // No one waits that long on purpose; FANUC counts P in milliseconds.
+        if time.value >= 100.0 && self.dialect == Dialect::Auto {
+            let message =
+                format!("the dwell of {} is passed on in seconds", Decimal::of(time.value));
+            self.report.warning(
+                "long-dwell",
+                message,
+                block.origin_at(time.column),
+                "where P counts milliseconds, divide it by 1000",
+            );
+        }
+        time.value
     }
 }

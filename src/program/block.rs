@@ -37,6 +37,13 @@ impl Block {
         Origin::Block { line: self.line, number: self.number, column: None }
     }
 
+    /// The place of its first word.
+    #[inline(never)]
+    #[must_use]
+    pub fn start(&self) -> Origin {
+        self.origin_at(self.words.first().map_or(1, |word| word.column))
+    }
+
     /// The place of a column of the block.
     #[inline(never)]
     #[must_use]

@@ -7,11 +7,10 @@
 use glam::DVec2;
 
 use super::items::{ContourEnd, Item, ProgrammedContour, RadiusSource};
+use super::open::{Open, builder_at, line_of};
 use super::report::Report;
 use super::rules::Rules;
-use crate::contour::{
-    Attributes, ContourBuilder, EventKind, Lead, Move, MoveCurve, Role, Shape, Side,
-};
+use crate::contour::{Attributes, EventKind, Lead, Move, MoveCurve, Reset, Role, Shape, Side};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Curve, Line};
 
@@ -45,49 +44,6 @@ enum State {
     On(Box<Open>),
     /// G40 was read, its first straight move was not.
     Ending(Box<Open>),
-}
-
-/// A contour whose end is not known yet.
-#[derive(Debug)]
-struct Open {
-    switched: SwitchOn,
-    builder: ContourBuilder,
-    start: DVec2,
-    lead_in: Option<Lead>,
-    leads_in: bool,
-    /// The events once more, for when no contour comes of it.
-    events: Vec<(EventKind, Origin)>,
-    last_line: u32,
-}
-
-impl Open {
-    fn new(switched: SwitchOn, start: DVec2, lead_in: Option<Lead>, rules: Rules) -> Box<Self> {
-        let mut builder = builder_at(start, rules);
-        let mut last_line = line_of(switched.origin);
-        if let Some(lead) = lead_in {
-            builder.lead_in(lead);
-            last_line = line_of(lead.attributes.origin);
-        }
-        let events = Vec::new();
-        Box::new(Self { switched, builder, start, lead_in, leads_in: false, events, last_line })
-    }
-
-    /// The lead-in is all that there is of the contour.
-    fn lead_becomes_contour(&mut self, rules: Rules) {
-        let Some(Lead { point, attributes }) = self.lead_in else { return };
-        self.builder = builder_at(point, rules);
-        self.builder.segment(Shape::Line { to: self.start }, attributes);
-        for (kind, origin) in &self.events {
-            self.builder.event(kind.clone(), *origin);
-        }
-        self.leads_in = true;
-    }
-
-    fn event(&mut self, kind: EventKind, origin: Origin) {
-        self.builder.event(kind.clone(), origin);
-        self.events.push((kind, origin));
-        self.last_line = line_of(origin);
-    }
 }
 
 impl Course {
@@ -132,7 +88,29 @@ impl Course {
         self.rules.any_lead && matches!(self.state, State::Waiting(_) | State::Ending(_))
     }
 
-    /// A move along z at `at` [mm].
+    /// Words, maybe none, after which the next move starts where it says; only outside a contour.
+    pub(super) fn reset(&mut self, words: String, origin: Origin, reset: Reset) {
+        if self.is_free() {
+            self.items.push(Item::Words { words, reset: Some(reset), origin });
+        } else if !words.is_empty() {
+            self.words(words, origin);
+        }
+    }
+
+    /// Ends the contour where it cannot go on as one; another one goes on from `at` [mm].
+    pub(super) fn break_off(&mut self, at: DVec2, report: &mut Report) {
+        match std::mem::replace(&mut self.state, State::Off) {
+            State::On(open) => {
+                let switched = open.switched;
+                self.close(open, None, ContourEnd::Off, report);
+                self.state = State::On(Open::new(switched, at, None, self.rules));
+            }
+            State::Ending(open) => self.close(open, None, ContourEnd::Off, report),
+            state => self.state = state,
+        }
+    }
+
+    /// A move along the normal of the plane at `at` [mm].
     pub(super) fn vertical(&mut self, at: DVec2, attributes: Attributes, report: &mut Report) {
         if self.takes_any_lead() {
             self.line(at, at, attributes, report);
@@ -432,6 +410,15 @@ impl Course {
         // Why there is no segment is said by the diagnostic before.
         report.extend(built.diagnostics.into_iter().filter(|found| found.code != "empty-contour"));
         let Some(contour) = built.contour else { return };
+        let mut attributes = attributes;
+        if let Some(time) = attributes.time.take() {
+            let mut length = 0.0;
+            for segment in contour.segments() {
+                length += segment.curve.length();
+            }
+            let [start, end] = attributes.heights;
+            attributes.feed = Some(length.hypot(end - start) / time);
+        }
         for segment in contour.segments() {
             match &segment.curve {
                 Curve::Line(line) => self.free(MoveCurve::Line(*line), &attributes),
@@ -446,31 +433,21 @@ impl Course {
     }
 
     fn free(&mut self, curve: MoveCurve, attributes: &Attributes) {
+        let feed = match attributes.time {
+            Some(time) => {
+                let [start, end] = attributes.heights;
+                Some(curve.length().hypot(end - start) / time)
+            }
+            None => attributes.feed,
+        };
         self.items.push(Item::Free(Move {
             curve,
             role: Role::Free,
             rapid: attributes.rapid,
-            feed: attributes.feed,
+            feed,
             plane: attributes.plane,
             heights: attributes.heights,
             origin: attributes.origin,
         }));
-    }
-}
-
-/// A contour that starts at `start` [mm].
-fn builder_at(start: DVec2, rules: Rules) -> ContourBuilder {
-    let mut builder = ContourBuilder::new(start);
-    if rules.any_lead {
-        builder.keep_centers();
-    }
-    builder
-}
-
-/// The line of a block.
-fn line_of(origin: Origin) -> u32 {
-    match origin {
-        Origin::Block { line, .. } => line,
-        Origin::Segment(index) => index,
     }
 }

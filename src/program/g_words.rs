@@ -1,6 +1,7 @@
 //! The G words: what each means here, and which exclude each other in a block.
 
-use crate::contour::Side;
+use super::feed::FeedMode;
+use crate::contour::{Plane, Side};
 
 /// How axis words move the tool.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -16,6 +17,8 @@ pub(super) enum Motion {
     },
     /// G05 with axes alone.
     TypePoints,
+    /// G73, G74, G76 and G81 to G89, by its number.
+    Cycle(u32),
     /// A mode whose blocks cannot be turned into moves; its name.
     NotSupported(&'static str),
 }
@@ -31,6 +34,37 @@ pub(super) enum Compensation {
     Diameter(Side),
 }
 
+/// A word that acts before the move of its block, with axis words of its own or without.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Act {
+    /// G10.
+    SetData,
+    /// G28 and G30.
+    Home,
+    /// G28.1 and G30.1.
+    StoreHome,
+    /// G53.
+    Machine,
+    /// G92.
+    Origin,
+    /// G92.1, and G92.2, which keeps the shift for G92.3.
+    OriginOff,
+    /// G92.3.
+    OriginOn,
+    /// G54 to G59.3 from 0, and G54.1 with a P word.
+    System(Option<usize>),
+    /// G52.
+    Local,
+    /// G50 and G51.
+    Scale(bool),
+    /// G50.1 and G51.1.
+    Mirror(bool),
+    /// G69 and G68.
+    Rotate(bool),
+    /// G15 and G16.
+    Polar(bool),
+}
+
 /// What a G word means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum GWord {
@@ -42,86 +76,111 @@ pub(super) enum GWord {
     EndOfCycle,
     /// G04.
     Dwell,
-    /// G17, or another plane by its name.
-    Plane(Option<&'static str>),
+    /// G17, G18 and G19.
+    Plane(Plane),
     /// G20 and G21.
     Inches(bool),
     /// G90 and G91.
     Relative(bool),
     /// G90.1 and G91.1.
     AbsoluteCenter(bool),
-    /// G94, or another meaning of F by its name.
-    FeedMode(Option<&'static str>),
+    /// G07 and G08: whether X words are diameters.
+    Diameter(bool),
+    /// G98 and G99: whether cycles go back to the level R only.
+    RetractToR(bool),
+    /// G93, G94 and G95.
+    FeedMode(FeedMode),
+    /// G96 and G97: whether S is the speed of the surface.
+    SurfaceSpeed(bool),
     /// G40 to G42.1.
     Compensation(Compensation),
+    /// G43, G44 and their like, and G49: the height has another number from here on.
+    Length(bool),
+    /// It changes coordinates, or moves by others.
+    Act(Act),
     /// It changes nothing here.
     Harmless,
-    /// It is for the controller and moves nothing.
-    PassedOn,
-    /// It is left out, and the machine has to make up for it; what it is and its letters.
-    LeftOut(&'static str, &'static str),
-    /// It is left out, which leaves the path as it is; what it is and its letters.
-    Noted(&'static str, &'static str),
+    /// It is for the controller and moves nothing; its letters.
+    PassedOn(&'static str),
     /// Its block cannot be turned into moves; what it is.
     NotSupported(&'static str),
 }
 
 /// The meaning of a G word by ten times its number.
 pub(super) fn g_word(tenths: u32) -> Option<GWord> {
+    use GWord::{
+        AbsoluteCenter, Diameter, Dwell, EndOfCycle, Harmless, Inches, Length, NotSupported,
+        PassedOn, Relative, RetractToR, SplineFamily, SurfaceSpeed,
+    };
     Some(match tenths {
         0 => GWord::Motion(Motion::Rapid),
         10 => GWord::Motion(Motion::Linear),
         20 => GWord::Motion(Motion::Arc { clockwise: true }),
         30 => GWord::Motion(Motion::Arc { clockwise: false }),
-        40 => GWord::Dwell,
-        50..=53 | 61 | 62 => GWord::SplineFamily,
-        100 => GWord::NotSupported("setting data (G10)"),
-        121 => GWord::NotSupported("polar coordinate interpolation (G12.1)"),
-        160 => GWord::NotSupported("polar coordinates (G16)"),
-        170 => GWord::Plane(None),
-        180 => GWord::Plane(Some("G18")),
-        190 => GWord::Plane(Some("G19")),
-        200 => GWord::Inches(true),
-        210 => GWord::Inches(false),
-        280 | 300 => GWord::NotSupported("going to the reference point"),
-        281 | 301 => GWord::NotSupported("storing the reference point"),
-        310 | 382..=385 => GWord::NotSupported("probing"),
+        40 => Dwell,
+        50..=53 | 61 | 62 => SplineFamily,
+        70 => Diameter(true),
+        80 => Diameter(false),
+        90 | 610 | 611 => PassedOn(""),
+        100 => GWord::Act(Act::SetData),
+        121 => NotSupported("polar coordinate interpolation (G12.1)"),
+        150 => GWord::Act(Act::Polar(false)),
+        160 => GWord::Act(Act::Polar(true)),
+        170 => GWord::Plane(Plane::Xy),
+        180 => GWord::Plane(Plane::Zx),
+        190 => GWord::Plane(Plane::Yz),
+        200 => Inches(true),
+        210 => Inches(false),
+        280 | 300 => GWord::Act(Act::Home),
+        281 | 301 => GWord::Act(Act::StoreHome),
+        310 | 382..=385 => NotSupported("probing"),
         330 | 331 => GWord::Motion(Motion::NotSupported("threading")),
-        390 => GWord::NotSupported("the corner arc (G39)"),
+        390 => NotSupported("the corner arc (G39)"),
         400 => GWord::Compensation(Compensation::Off),
         410 => GWord::Compensation(Compensation::Tool(Side::Left)),
         420 => GWord::Compensation(Compensation::Tool(Side::Right)),
         411 => GWord::Compensation(Compensation::Diameter(Side::Left)),
         421 => GWord::Compensation(Compensation::Diameter(Side::Right)),
-        430 | 440 => GWord::LeftOut("tool length compensation", "H"),
-        431 => GWord::LeftOut("tool length compensation", "HXYZ"),
-        510 => GWord::NotSupported("scaling (G51)"),
-        520 => GWord::NotSupported("the local coordinate system (G52)"),
-        530 => GWord::NotSupported("machine coordinates (G53)"),
-        540 | 550 | 560 | 570 | 580 | 590..=593 => GWord::PassedOn,
-        600 => GWord::NotSupported("one-sided positioning (G60)"),
-        640 => GWord::Noted("path blending", "PQ"),
-        650 | 660 => GWord::NotSupported("a macro call"),
-        680 => GWord::NotSupported("rotated coordinates (G68)"),
-        730 | 740 | 760 | 810 | 820..=890 if tenths.is_multiple_of(10) => {
-            GWord::Motion(Motion::NotSupported("a cycle"))
+        430..=432 | 440 => Length(true),
+        490 => Length(false),
+        500 => GWord::Act(Act::Scale(false)),
+        510 => GWord::Act(Act::Scale(true)),
+        501 => GWord::Act(Act::Mirror(false)),
+        511 => GWord::Act(Act::Mirror(true)),
+        520 => GWord::Act(Act::Local),
+        530 => GWord::Act(Act::Machine),
+        540 => GWord::Act(Act::System(Some(0))),
+        541 => GWord::Act(Act::System(None)),
+        550 => GWord::Act(Act::System(Some(1))),
+        560 => GWord::Act(Act::System(Some(2))),
+        570 => GWord::Act(Act::System(Some(3))),
+        580 => GWord::Act(Act::System(Some(4))),
+        590..=593 => GWord::Act(Act::System(Some((tenths - 585) as usize))),
+        600 => NotSupported("one-sided positioning (G60)"),
+        640 => PassedOn("PQ"),
+        650 | 660 => NotSupported("a macro call"),
+        680 => GWord::Act(Act::Rotate(true)),
+        690 => GWord::Act(Act::Rotate(false)),
+        730 | 740 | 760 | 810 | 820 | 830 | 840 | 850 | 860 | 870 | 880 | 890 => {
+            GWord::Motion(Motion::Cycle(tenths / 10))
         }
-        800 => GWord::EndOfCycle,
-        900 => GWord::Relative(false),
-        910 => GWord::Relative(true),
-        901 => GWord::AbsoluteCenter(true),
-        911 => GWord::AbsoluteCenter(false),
-        920 | 923 => GWord::NotSupported("moving the origin (G92)"),
-        930 => GWord::FeedMode(Some("inverse time feed (G93)")),
-        940 => GWord::FeedMode(None),
-        950 => GWord::FeedMode(Some("feed per revolution (G95)")),
-        960 => GWord::NotSupported("constant surface speed (G96)"),
-        // Exact stop and the ends of modes that are not supported anyway: lathe diameters, polar
-        // coordinates, length compensation, scaling, macros, rotation, G92; spindle speed in
-        // rev/min; the return level of cycles.
-        80 | 90 | 131 | 150 | 490 | 500 | 610 | 611 | 670 | 690 | 921 | 922 | 970 | 980 | 990 => {
-            GWord::Harmless
-        }
+        800 => EndOfCycle,
+        900 => Relative(false),
+        910 => Relative(true),
+        901 => AbsoluteCenter(true),
+        911 => AbsoluteCenter(false),
+        920 => GWord::Act(Act::Origin),
+        921 | 922 => GWord::Act(Act::OriginOff),
+        923 => GWord::Act(Act::OriginOn),
+        930 => GWord::FeedMode(FeedMode::InverseTime),
+        940 => GWord::FeedMode(FeedMode::PerMinute),
+        950 => GWord::FeedMode(FeedMode::PerRevolution),
+        960 => SurfaceSpeed(true),
+        970 => SurfaceSpeed(false),
+        980 => RetractToR(false),
+        990 => RetractToR(true),
+        // The ends of modes that are not supported anyway: polar interpolation and macros.
+        131 | 670 => Harmless,
         _ => return None,
     })
 }
@@ -137,11 +196,15 @@ impl GWord {
             Self::FeedMode(_) => Some(5),
             Self::Inches(_) => Some(6),
             Self::Compensation(_) => Some(7),
+            Self::Length(_) => Some(8),
+            Self::RetractToR(_) => Some(10),
+            Self::Act(Act::System(_)) => Some(12),
+            Self::SurfaceSpeed(_) => Some(14),
+            Self::Diameter(_) => Some(15),
             Self::Dwell
             | Self::Harmless
-            | Self::PassedOn
-            | Self::LeftOut(..)
-            | Self::Noted(..)
+            | Self::Act(_)
+            | Self::PassedOn(_)
             | Self::NotSupported(_) => None,
         }
     }

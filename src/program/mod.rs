@@ -4,26 +4,35 @@
 //! understood and a diagnostic for everything else. Inches, mm/min and line numbers exist on this
 //! floor only. It does not know how contours are compensated.
 
+mod arcs;
 mod auxiliary;
+mod axes;
 mod block;
 mod block_writer;
+mod coordinates;
 mod course;
 mod crossing;
+mod cycles;
 mod dialect;
 mod emit;
 mod explained;
+mod feed;
+mod frame;
 mod g_words;
 mod interpret;
 mod items;
 mod lexer;
 mod modal;
+mod modes;
 mod moves;
 mod number;
+mod open;
 mod passed;
 mod reader;
 mod report;
 mod rules;
 mod run;
+mod spline_blocks;
 mod switch;
 mod target;
 mod type_points;

@@ -2,10 +2,18 @@
 
 use glam::DVec3;
 
+use super::coordinates::Systems;
+use super::cycles::CycleNumbers;
+use super::feed::Feed;
+use super::frame::Frame;
 use super::g_words::Motion;
+use crate::contour::Plane;
 
 /// Millimetres in an inch.
 const INCH: f64 = 25.4;
+
+/// Most tools that G10 can give a radius: as many as the largest tables of tools hold.
+const MOST_RADII: usize = 1000;
 
 /// The modes and numbers in effect.
 #[derive(Debug, Clone)]
@@ -13,27 +21,39 @@ const INCH: f64 = 25.4;
 pub(super) struct Modal {
     /// How axis words move the tool, once a word said so.
     pub(super) motion: Option<Motion>,
+    /// The plane of arcs, splines and compensation.
+    pub(super) plane: Plane,
     /// G20.
     pub(super) inches: bool,
     /// G91.
     pub(super) relative: bool,
     /// G90.1.
     pub(super) absolute_center: bool,
-    /// A plane other than XY by its word.
-    pub(super) other_plane: Option<&'static str>,
-    /// Whether F means mm/min or inch/min.
-    pub(super) feed_per_minute: bool,
-    /// Feed [mm/s].
-    pub(super) feed: Option<f64>,
+    /// G07: X words are diameters.
+    pub(super) diameter: bool,
+    /// G99: cycles go back to the level R only.
+    pub(super) retract_to_r: bool,
+    /// Tool length compensation was ever switched on.
+    pub(super) length: bool,
+    pub(super) feed: Feed,
+    /// How the spindle turns: the number of its M word.
+    pub(super) spindle: Option<u32>,
+    pub(super) cycle: CycleNumbers,
+    /// From programmed to program coordinates.
+    pub(super) frame: Frame,
+    pub(super) systems: Systems,
     /// The T word.
     selected: Option<u32>,
     /// The tool that the last M6 put into the spindle.
     loaded: Option<u32>,
     /// The D word, since the last tool change.
     pub(super) radius_number: Option<u32>,
-    /// Where the program is [mm]: not where the tool is, once compensation is on.
+    /// Radii that G10 gave tools [mm].
+    radii: Vec<(u32, f64)>,
+    /// Where the program is, in program coordinates [mm]: not where the tool is, once compensation
+    /// is on.
     pub(super) position: DVec3,
-    /// Which coordinates of the position the program has stated; the others are assumed zero.
+    /// Which coordinates of the position the program has stated; the others are assumed.
     pub(super) stated: [bool; 3],
 }
 
@@ -41,15 +61,22 @@ impl Modal {
     pub(super) fn new() -> Self {
         Self {
             motion: None,
+            plane: Plane::Xy,
             inches: false,
             relative: false,
             absolute_center: false,
-            other_plane: None,
-            feed_per_minute: true,
-            feed: None,
+            diameter: false,
+            retract_to_r: false,
+            length: false,
+            feed: Feed::new(),
+            spindle: None,
+            cycle: CycleNumbers::default(),
+            frame: Frame::new(),
+            systems: Systems::new(),
             selected: None,
             loaded: None,
             radius_number: None,
+            radii: Vec::new(),
             position: DVec3::ZERO,
             stated: [false; 3],
         }
@@ -60,10 +87,10 @@ impl Modal {
         if self.inches { INCH } else { 1.0 }
     }
 
-    /// The coordinate that an axis word asks for [mm].
-    pub(super) fn coordinate(&self, value: f64, current: f64) -> f64 {
+    /// What the number of the word for axis `i` means [mm].
+    pub(super) fn length_of(&self, i: usize, value: f64) -> f64 {
         let value = value * self.unit();
-        if self.relative { current + value } else { value }
+        if i == 0 && self.diameter { 0.5 * value } else { value }
     }
 
     pub(super) fn select_tool(&mut self, number: u32) {
@@ -79,6 +106,21 @@ impl Modal {
     /// The tool that the last M6 put into the spindle, 0 for none.
     pub(super) fn loaded_tool(&self) -> u32 {
         self.loaded.unwrap_or(0)
+    }
+
+    /// G10: the radius of a tool [mm].
+    pub(super) fn set_radius(&mut self, number: u32, radius: f64) {
+        let known = self.radii.iter_mut().find(|(other, _)| *other == number);
+        if let Some((_, known)) = known {
+            *known = radius;
+        } else if self.radii.len() < MOST_RADII {
+            self.radii.push((number, radius));
+        }
+    }
+
+    /// The radius that G10 gave a tool [mm].
+    pub(super) fn radius_of(&self, number: u32) -> Option<f64> {
+        self.radii.iter().find(|(other, _)| *other == number).map(|(_, radius)| *radius)
     }
 
     /// The tool in the spindle. A program without M6 changes tools by T alone.

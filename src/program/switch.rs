@@ -7,6 +7,7 @@ use super::interpret::Interpreter;
 use super::items::RadiusSource;
 use super::number::whole;
 use super::words::Words;
+use crate::contour::{Plane, Side};
 use crate::diagnostic::Origin;
 use crate::geometry::Decimal;
 
@@ -20,13 +21,6 @@ impl Interpreter {
     ) {
         let number = words.take('D');
         let origin = block.origin_at(demand.map(|(_, w)| w).or(number).map_or(1, |w| w.column));
-        if let (Some(plane), Some((Compensation::Tool(_) | Compensation::Diameter(_), _))) =
-            (self.modal.other_plane, demand)
-        {
-            let message = format!("compensation is supported in the plane G17, not in {plane}");
-            self.error("not-supported", message, origin, "it stays off");
-            return;
-        }
         if self.rules.is_strict
             && matches!(demand, Some((Compensation::Tool(_) | Compensation::Diameter(_), _)))
             && self.course.switched().is_some()
@@ -37,7 +31,10 @@ impl Interpreter {
         if self.rules.spindle_tool {
             self.modal.radius_number = None;
         }
-        let at = self.modal.position.truncate();
+        let at = self.modal.plane.split(self.modal.position).0;
+        // What is mirrored has the tool on its other side.
+        let flips = self.modal.frame.flips(self.modal.plane);
+        let seen = |side: Side| if flips { side.opposite() } else { side };
         let unit = self.modal.unit();
         let switched = match demand {
             Some((Compensation::Off, _)) => {
@@ -53,12 +50,12 @@ impl Interpreter {
                 };
                 let radius = RadiusSource::Given(0.5 * diameter.value * unit);
                 let orientation = self.orientation(block, words.take('L'));
-                Some(SwitchOn { side, radius, orientation, unit, origin })
+                Some(SwitchOn { side: seen(side), radius, orientation, unit, origin })
             }
             Some((Compensation::Tool(side), _)) => {
                 self.read_radius_number(block, number);
                 let radius = self.radius_source(origin);
-                Some(SwitchOn { side, radius, orientation: 0, unit, origin })
+                Some(SwitchOn { side: seen(side), radius, orientation: 0, unit, origin })
             }
             None if number.is_some() => {
                 self.read_radius_number(block, number);
@@ -90,7 +87,7 @@ impl Interpreter {
     /// Which way the tip of a lathe tool points (L).
     fn orientation(&mut self, block: &Block, word: Option<&Word>) -> u8 {
         let Some(word) = word else { return 0 };
-        if self.modal.other_plane.is_none() && self.rules.is_strict {
+        if self.modal.plane != Plane::Zx && self.rules.is_strict {
             let message = "only in the plane G18 has a tool an orientation (L)";
             self.refuse(message, block.origin_at(word.column));
             return 0;
@@ -109,7 +106,7 @@ impl Interpreter {
     fn radius_source(&mut self, origin: Origin) -> RadiusSource {
         if self.rules.spindle_tool {
             let number = self.modal.radius_number.filter(|number| *number > 0);
-            return RadiusSource::Tool(number.unwrap_or(self.modal.loaded_tool()));
+            return self.radius_of(number.unwrap_or(self.modal.loaded_tool()));
         }
         match self.modal.radius_number {
             Some(0) => {
@@ -121,8 +118,12 @@ impl Interpreter {
                 );
                 RadiusSource::Given(0.0)
             }
-            Some(number) => RadiusSource::Tool(number),
-            None => RadiusSource::Tool(self.modal.active_tool()),
+            number => self.radius_of(number.unwrap_or(self.modal.active_tool())),
         }
+    }
+
+    /// The radius that G10 gave the tool, or else that of the table.
+    fn radius_of(&self, number: u32) -> RadiusSource {
+        self.modal.radius_of(number).map_or(RadiusSource::Tool(number), RadiusSource::Given)
     }
 }

@@ -4,6 +4,7 @@ use super::block::{Block, Word};
 use super::number::whole;
 
 /// The words of a block, and which of them had a meaning.
+#[derive(Clone, Copy)]
 pub(super) struct Words<'a> {
     block: &'a Block,
     /// Bit i is set once word i was used; a block has at most 100 words.

@@ -116,8 +116,19 @@ fn words_that_move_nothing_stay_in_their_place() {
 #[test]
 fn coordinates_that_are_assumed_are_passed_on_where_they_are_first_stated() {
     assert_eq!(words(&read_clean("G0 X0 Y0\nG1 X5 F100")), ["G0 X0 Y0"], "nothing moves");
-    assert_eq!(words(&read_clean("G0 X0 Y0 Z5")), ["G0 X0 Y0"], "after the move along z");
-    assert_eq!(words(&read_clean("G0 Z5\nX3 Y0")), Vec::<&str>::new(), "the move says it");
+    for (text, states) in [
+        ("G0 X0 Y0 Z5", [true, true, false]),
+        ("G0 X5 Y5 Z5\nG54\nG0 X5 Z0", [true, false, false]),
+        ("G0 X5 Y5 Z5\nG28 Z9\nG0 X5 Y8 Z5", [false, false, true]),
+    ] {
+        let read = read_clean(text);
+        let reset = read.items.iter().rev().find_map(|item| match item {
+            Item::Words { reset, .. } => *reset,
+            _ => None,
+        });
+        assert_eq!(reset.expect("the move is to state them").states, states, "{text}");
+    }
+    assert_eq!(words(&read_clean("G0 Z5\nX3 Y4")), Vec::<&str>::new(), "the move says it");
 }
 
 #[test]
@@ -217,7 +228,7 @@ fn a_repeated_type_point_is_a_corner_between_two_splines() {
 #[test]
 fn a_feed_that_changes_within_a_spline_is_reported_once() {
     let read = read("G0 X0 Y0\nG5 X5 Y5 F300\nX10 Y0 F200\nX15 Y5\nX20 Y0\n");
-    assert_eq!(found(&read), [("feed-in-spline", WARNING, 3, None)], "one change");
+    assert_eq!(found(&read), [("feed-in-spline", WARNING, 3, Some(1))], "one change");
     read_clean("G0 X0 Y0\nG5 X5 Y5 F300\nX10 Y0\nX10 Y0\nX15 Y5 F200\nX20 Y0\n");
 }
 

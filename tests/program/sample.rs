@@ -28,11 +28,31 @@ pub(crate) fn contours(read: &Interpretation) -> Vec<&ProgrammedContour> {
     read.items.iter().filter_map(contour).collect()
 }
 
+/// The words passed on, without the resets that have none.
 pub(crate) fn words(read: &Interpretation) -> Vec<&str> {
     fn words(item: &Item) -> Option<&str> {
         if let Item::Words { words, .. } = item { Some(words) } else { None }
     }
-    read.items.iter().filter_map(words).collect()
+    read.items.iter().filter_map(words).filter(|words| !words.is_empty()).collect()
+}
+
+/// Where the moves end in space, with an `R` for rapid ones, and the words between them.
+pub(crate) fn steps(read: &Interpretation) -> Vec<String> {
+    let number = |value: f64| g41::geometry::Decimal::new(value, 6).to_string();
+    let mut steps = Vec::new();
+    for item in &read.items {
+        match item {
+            Item::Free(found) => {
+                let end = found.plane.place(found.curve.end(), found.heights[1]);
+                let [x, y, z] = end.to_array().map(number);
+                steps.push(format!("{}{x} {y} {z}", if found.rapid { "R " } else { "" }));
+            }
+            Item::Words { words, .. } if words.is_empty() => {}
+            Item::Words { words, .. } => steps.push(words.clone()),
+            Item::Contour(_) => steps.push("contour".into()),
+        }
+    }
+    steps
 }
 
 pub(crate) fn only_contour(read: &Interpretation) -> &ProgrammedContour {

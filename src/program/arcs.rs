@@ -1,0 +1,158 @@
+//! G02 and G03: arcs by centre or radius, in each plane, of several turns and helical.
+
+use std::f64::consts::TAU;
+
+use glam::{DVec2, DVec3};
+
+use super::axes::Axes;
+use super::block::{Block, Word};
+use super::interpret::Interpreter;
+use super::number::whole;
+use super::words::Words;
+use crate::contour::{ARC_TOLERANCE, Attributes, Shape};
+use crate::geometry::{Arc, RadiusForm};
+
+/// Most turns of one arc.
+const MOST_TURNS: u32 = 10_000;
+
+/// The letters of a centre, for x, y and z.
+const CENTER: [char; 3] = ['I', 'J', 'K'];
+
+impl Interpreter {
+    /// G02 and G03.
+    pub(super) fn arc(
+        &mut self,
+        block: &Block,
+        words: &mut Words,
+        axes: &Axes,
+        to: DVec3,
+        clockwise: bool,
+    ) {
+        let attributes = self.attributes(block, false, to);
+        let turns = self.turns(block, words);
+        match self.arc_shape(block, words, to, clockwise) {
+            Some(shape) => self.turning(shape, turns, attributes),
+            None => self.line(axes, to, attributes),
+        }
+    }
+
+    /// The P word: how many turns, full or not.
+    fn turns(&mut self, block: &Block, words: &mut Words) -> u32 {
+        let Some(word) = words.take('P') else { return 1 };
+        if let Some(turns @ 1..=MOST_TURNS) = whole(word.value) {
+            return turns;
+        }
+        let at = block.origin_at(word.column);
+        let hint = "P is a whole number from 1; the arc makes less than one turn";
+        self.error("bad-turns", "no such number of turns of an arc", at, hint);
+        1
+    }
+
+    /// The arc after as many full circles as there are turns besides its own.
+    fn turning(&mut self, shape: Shape, turns: u32, attributes: Attributes) {
+        let from = attributes.plane.split(self.modal.position).0;
+        let arc = match (turns, &shape) {
+            (2.., Shape::Arc { to, center, clockwise }) => {
+                Arc::from_center(from, *to, *center, *clockwise, f64::INFINITY).ok()
+            }
+            (2.., Shape::ArcByRadius { to, radius, form, clockwise }) => {
+                Arc::from_radius(from, *to, *radius, *form, *clockwise, ARC_TOLERANCE).ok()
+            }
+            _ => None,
+        };
+        let Some(arc) = arc else {
+            self.course.curve(from, shape, attributes, &mut self.report);
+            return;
+        };
+        let [start, end] = attributes.heights;
+        let total = TAU * f64::from(turns - 1) + arc.sweep().abs();
+        let circle = Shape::Arc { to: from, center: arc.center(), clockwise: arc.is_clockwise() };
+        for turn in 0..turns {
+            let run = [turn, turn + 1].map(|turn| (TAU * f64::from(turn) / total).min(1.0));
+            let [before, after] = run.map(|run| start + (end - start) * run);
+            let time = attributes.time.map(|time| time * (run[1] - run[0]));
+            let last = turn + 1 == turns;
+            let heights = [before, if last { end } else { after }];
+            let shape = if last { &shape } else { &circle };
+            let attributes = Attributes { time, heights, ..attributes };
+            self.course.curve(from, shape.clone(), attributes, &mut self.report);
+        }
+    }
+
+    /// The arc as described, `None` where a straight move has to stand in its place.
+    fn arc_shape(
+        &mut self,
+        block: &Block,
+        words: &mut Words,
+        to: DVec3,
+        clockwise: bool,
+    ) -> Option<Shape> {
+        let plane = self.modal.plane;
+        let [first, second, normal] = plane.axes();
+        let centers = CENTER.map(|letter| words.take(letter));
+        let radius = words.take('R');
+        let (a, b) = (centers[first], centers[second]);
+        if let Some(word) = centers[normal] {
+            self.error(
+                "contradictory-words",
+                format!("{} belongs to another plane", word.letter),
+                block.origin_at(word.column),
+                "the centre is I J in G17, I K in G18, J K in G19",
+            );
+        }
+        let to = plane.split(to).0;
+        let clockwise = clockwise != self.modal.frame.flips(plane);
+        let Some(factor) = self.modal.frame.factor(plane) else {
+            self.error(
+                "arc-distorted",
+                "scaling or rotation makes the arc no arc of this plane",
+                block.start(),
+                "scale both axes alike; a straight line stands in its place",
+            );
+            return None;
+        };
+        if let Some(radius) = radius {
+            if let Some(center) = a.or(b) {
+                self.error(
+                    "contradictory-words",
+                    "the arc has a radius and a centre",
+                    block.origin_at(center.column),
+                    "the radius counts; leave out R, or the centre",
+                );
+            }
+            let form = if radius.value < 0.0 { RadiusForm::Major } else { RadiusForm::Minor };
+            let radius = radius.value.abs() * self.modal.unit() * factor;
+            return Some(Shape::ArcByRadius { to, radius, form, clockwise });
+        }
+        let [letter_a, letter_b] = [CENTER[first], CENTER[second]];
+        if a.is_none() && b.is_none() {
+            self.error(
+                "arc-without-centre",
+                "the arc has neither centre nor radius",
+                block.start(),
+                "add I and J, or R; a straight line stands in its place",
+            );
+            return None;
+        }
+        if self.modal.absolute_center && (a.is_none() || b.is_none()) {
+            self.error(
+                "arc-without-centre",
+                format!("an absolute centre (G90.1) needs both {letter_a} and {letter_b}"),
+                block.start(),
+                "the missing one is taken from the arc's start",
+            );
+        }
+        let mut center = self.modal.frame.unmap(self.modal.position);
+        let unit = self.modal.unit();
+        let absolute = self.modal.absolute_center;
+        let mut move_center = |i: usize, word: Option<&Word>| match word {
+            Some(word) if absolute => center[i] = word.value * unit,
+            Some(word) => center[i] += word.value * unit,
+            None => {}
+        };
+        move_center(first, a);
+        move_center(second, b);
+        let center: DVec2 = plane.split(self.modal.frame.map(center)).0;
+        Some(Shape::Arc { to, center, clockwise })
+    }
+}

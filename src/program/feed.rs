@@ -1,0 +1,128 @@
+//! F and S words: the feed of a move by the way it is programmed.
+
+use super::block::Block;
+use super::interpret::{Interpreter, MINUTE};
+use super::words::Words;
+use crate::geometry::Decimal;
+
+/// How F words are meant.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum FeedMode {
+    /// G94: mm/min or inch/min.
+    PerMinute,
+    /// G93: one over the minutes that the move takes. F is needed in every block that feeds.
+    InverseTime,
+    /// G95: mm or inch in one turn of the spindle.
+    PerRevolution,
+}
+
+/// The feed in effect.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Feed {
+    mode: FeedMode,
+    /// The F word [mm/s, or mm in one turn].
+    value: Option<f64>,
+    /// Time of the moves of the present block [s].
+    time: Option<f64>,
+    /// Speed of the spindle [rev/s], where it is known.
+    speed: Option<f64>,
+    /// G96: S is the speed of the surface.
+    surface_speed: bool,
+}
+
+impl Feed {
+    pub(super) const fn new() -> Self {
+        Self {
+            mode: FeedMode::PerMinute,
+            value: None,
+            time: None,
+            speed: None,
+            surface_speed: false,
+        }
+    }
+
+    /// G93, G94 and G95. A number that was meant otherwise does not count any more.
+    pub(super) fn set_mode(&mut self, mode: FeedMode) {
+        if self.mode != mode {
+            self.mode = mode;
+            self.value = None;
+        }
+    }
+
+    pub(super) fn is_inverse_time(&self) -> bool {
+        self.mode == FeedMode::InverseTime
+    }
+
+    /// G96 and G97; tells whether that is a change.
+    pub(super) fn set_surface_speed(&mut self, on: bool) -> bool {
+        let changes = self.surface_speed != on;
+        self.surface_speed = on;
+        if changes {
+            self.speed = None;
+        }
+        changes
+    }
+
+    pub(super) fn is_surface_speed(&self) -> bool {
+        self.surface_speed
+    }
+
+    /// An S word as programmed.
+    pub(super) fn set_speed(&mut self, value: f64) {
+        self.speed = (!self.surface_speed).then_some(value.abs() / MINUTE);
+    }
+}
+
+impl Interpreter {
+    /// The F word.
+    pub(super) fn feed(&mut self, block: &Block, words: &mut Words) {
+        let unit = self.modal.unit();
+        let feed = &mut self.modal.feed;
+        feed.time = None;
+        let Some(word) = words.take('F') else { return };
+        if word.value > 0.0 {
+            match feed.mode {
+                FeedMode::PerMinute => feed.value = Some(word.value * unit / MINUTE),
+                FeedMode::PerRevolution => feed.value = Some(word.value * unit),
+                FeedMode::InverseTime => feed.time = Some(MINUTE / word.value),
+            }
+        } else {
+            self.error(
+                "bad-feed",
+                format!("the feed {} is not positive", Decimal::of(word.value)),
+                block.origin_at(word.column),
+                "the feed before it stays",
+            );
+        }
+    }
+
+    /// Feed [mm/s] or time [s] of the moves of a block.
+    pub(super) fn feed_of_moves(&mut self, block: &Block) -> (Option<f64>, Option<f64>) {
+        let feed = self.modal.feed;
+        match feed.mode {
+            FeedMode::PerMinute => (feed.value, None),
+            FeedMode::InverseTime => {
+                if feed.time.is_none() {
+                    self.error(
+                        "missing-feed",
+                        "inverse time feed (G93) needs an F word in every block",
+                        block.start(),
+                        "add F: one over the minutes that the move takes",
+                    );
+                }
+                (None, feed.time)
+            }
+            FeedMode::PerRevolution => {
+                if feed.speed.is_none() {
+                    self.error(
+                        "unknown-speed",
+                        "feed per revolution (G95) at a speed that is not known",
+                        block.start(),
+                        "give the speed by S before, with G97",
+                    );
+                }
+                (feed.value.zip(feed.speed).map(|(feed, speed)| feed * speed), None)
+            }
+        }
+    }
+}

@@ -1,0 +1,193 @@
+//! The G words of a block: the modes that they set, and what else they ask for.
+
+use super::auxiliary::{Auxiliary, rank, take_as_text, word as text_of};
+use super::block::{Block, Word};
+use super::g_words::{Compensation, GWord, Motion, g_word};
+use super::interpret::Interpreter;
+use super::words::{Words, tenths};
+use crate::contour::Plane;
+use crate::geometry::Decimal;
+
+/// What the G words of a block ask for besides modes.
+#[derive(Debug, Default)]
+pub(super) struct Demands<'a> {
+    /// A motion word was there.
+    pub(super) motion: Option<Motion>,
+    /// A word of the G05 family by ten times its number, and where it is.
+    pub(super) family: Option<(u32, u32)>,
+    pub(super) dwell: Option<&'a Word>,
+    pub(super) compensation: Option<(Compensation, &'a Word)>,
+    /// Words that act before the move are there.
+    pub(super) acts: bool,
+    /// The words leave the height under another number.
+    pub(super) length: bool,
+    /// The block cannot be turned into moves.
+    pub(super) no_move: bool,
+    groups: u16,
+}
+
+impl Interpreter {
+    /// Sets the modes, and collects what else the G words ask for.
+    pub(super) fn g_words<'a>(
+        &mut self,
+        block: &'a Block,
+        words: &mut Words<'a>,
+        auxiliary: &mut Auxiliary,
+    ) -> Demands<'a> {
+        let mut demands = Demands::default();
+        for (index, word) in block.words.iter().enumerate() {
+            let meaning = match tenths(word).map(|number| (number, g_word(number))) {
+                Some((number, Some(meaning))) if word.letter == 'G' => (number, meaning),
+                _ => continue,
+            };
+            words.use_up(index);
+            self.g_word(block, word, meaning, words, auxiliary, &mut demands);
+        }
+        demands
+    }
+
+    fn g_word<'a>(
+        &mut self,
+        block: &Block,
+        word: &'a Word,
+        (number, meaning): (u32, GWord),
+        words: &mut Words<'a>,
+        auxiliary: &mut Auxiliary,
+        demands: &mut Demands<'a>,
+    ) {
+        if let Some(group) = meaning.group() {
+            if demands.groups >> group & 1 == 1 {
+                self.error(
+                    "conflicting-words",
+                    format!(
+                        "G{} excludes a G word before it in the block",
+                        Decimal::of(word.value)
+                    ),
+                    block.origin_at(word.column),
+                    "the later one counts; put them into blocks of their own",
+                );
+            }
+            demands.groups |= 1 << group;
+        }
+        if let GWord::Inches(_) | GWord::Length(_) | GWord::RetractToR(_) | GWord::PassedOn(_) =
+            meaning
+        {
+            self.not_while_on(block, word);
+        }
+        let modal = &mut self.modal;
+        match meaning {
+            GWord::Motion(motion) => {
+                demands.motion = Some(motion);
+                demands.family = None;
+                modal.motion = Some(motion);
+                if !matches!(motion, Motion::Cycle(_)) {
+                    modal.cycle.end();
+                }
+            }
+            GWord::SplineFamily => demands.family = Some((number, word.column)),
+            GWord::EndOfCycle => {
+                modal.motion = None;
+                modal.cycle.end();
+            }
+            GWord::Dwell => demands.dwell = Some(word),
+            GWord::Plane(plane) => self.plane(block, word, plane),
+            GWord::Inches(inches) => modal.inches = inches,
+            GWord::Relative(relative) => modal.relative = relative,
+            GWord::AbsoluteCenter(absolute) => modal.absolute_center = absolute,
+            GWord::Diameter(diameter) => modal.diameter = diameter,
+            GWord::RetractToR(to_r) => modal.retract_to_r = to_r,
+            GWord::FeedMode(mode) => modal.feed.set_mode(mode),
+            GWord::SurfaceSpeed(on) => {
+                if modal.feed.set_surface_speed(on) {
+                    let mut text = text_of('G', word.value);
+                    if on {
+                        take_as_text(words, "D", &mut text);
+                    }
+                    auxiliary.text(rank::SPEED, text);
+                }
+            }
+            GWord::Compensation(compensation) => demands.compensation = Some((compensation, word)),
+            GWord::Length(on) => {
+                // G49 in the first lines of a program ends what was never begun.
+                if on || modal.length {
+                    modal.length = true;
+                    demands.length = true;
+                    let mut text = text_of('G', word.value);
+                    take_as_text(words, "H", &mut text);
+                    if number == 431 {
+                        for (i, letter) in ['X', 'Y', 'Z'].into_iter().enumerate() {
+                            if let Some(axis) = words.take(letter) {
+                                let length = self.modal.length_of(i, axis.value);
+                                text = format!("{text} {}", text_of(letter, length));
+                            }
+                        }
+                    }
+                    auxiliary.text(rank::LENGTH, text);
+                }
+            }
+            GWord::Act(_) => demands.acts = true,
+            GWord::Harmless => {}
+            GWord::PassedOn(letters) => {
+                let mut text = text_of('G', word.value);
+                let unit = self.modal.unit();
+                for letter in letters.chars() {
+                    if let Some(length) = words.take(letter) {
+                        text = format!("{text} {}", text_of(letter, length.value * unit));
+                    }
+                }
+                auxiliary.text(rank::CONTROL, text);
+            }
+            GWord::NotSupported(what) => {
+                self.not_supported(block, word.column, what);
+                demands.no_move = true;
+            }
+        }
+    }
+
+    /// Some controls stop at this word while compensation is on; others do not mind.
+    pub(super) fn not_while_on(&mut self, block: &Block, word: &Word) {
+        if self.rules.is_strict && self.course.switched().is_some() {
+            let text = text_of(word.letter, word.value);
+            let message = format!("{text} may not be while compensation is on");
+            self.refuse(&message, block.origin_at(word.column));
+        }
+    }
+
+    fn plane(&mut self, block: &Block, word: &Word, plane: Plane) {
+        if self.modal.plane == plane {
+            return;
+        }
+        self.finish_spline();
+        self.leave_contour(block, word.column, "the plane", Some(plane));
+        self.modal.plane = plane;
+        self.modal.cycle.end();
+    }
+
+    /// Ends the contour where something changes that cannot while compensation is on; it goes on
+    /// as another one.
+    pub(super) fn leave_contour(
+        &mut self,
+        block: &Block,
+        column: u32,
+        what: &str,
+        plane: Option<Plane>,
+    ) {
+        self.finish_spline();
+        if self.rules.is_strict && self.course.switched().is_some() {
+            let message = format!("{what} may not change while compensation is on");
+            self.refuse(&message, block.origin_at(column));
+            return;
+        }
+        if self.course.is_free() {
+            return;
+        }
+        self.error(
+            "changed-while-on",
+            format!("{what} changes while compensation is on"),
+            block.origin_at(column),
+            "the contour ends here; switch compensation off with G40 before",
+        );
+        let (at, _) = plane.unwrap_or(self.modal.plane).split(self.modal.position);
+        self.course.break_off(at, &mut self.report);
+    }
+}

@@ -1,0 +1,73 @@
+//! A contour of a program as it grows, from its lead-in on.
+
+use glam::DVec2;
+
+use super::course::SwitchOn;
+use super::rules::Rules;
+use crate::contour::{ContourBuilder, EventKind, Lead, Shape};
+use crate::diagnostic::Origin;
+
+/// A contour whose end is not known yet.
+#[derive(Debug)]
+pub(super) struct Open {
+    pub(super) switched: SwitchOn,
+    pub(super) builder: ContourBuilder,
+    pub(super) start: DVec2,
+    pub(super) lead_in: Option<Lead>,
+    pub(super) leads_in: bool,
+    /// The events once more, for when no contour comes of it.
+    pub(super) events: Vec<(EventKind, Origin)>,
+    pub(super) last_line: u32,
+}
+
+impl Open {
+    pub(super) fn new(
+        switched: SwitchOn,
+        start: DVec2,
+        lead_in: Option<Lead>,
+        rules: Rules,
+    ) -> Box<Self> {
+        let mut builder = builder_at(start, rules);
+        let mut last_line = line_of(switched.origin);
+        if let Some(lead) = lead_in {
+            builder.lead_in(lead);
+            last_line = line_of(lead.attributes.origin);
+        }
+        let events = Vec::new();
+        Box::new(Self { switched, builder, start, lead_in, leads_in: false, events, last_line })
+    }
+
+    /// The lead-in is all that there is of the contour.
+    pub(super) fn lead_becomes_contour(&mut self, rules: Rules) {
+        let Some(Lead { point, attributes }) = self.lead_in else { return };
+        self.builder = builder_at(point, rules);
+        self.builder.segment(Shape::Line { to: self.start }, attributes);
+        for (kind, origin) in &self.events {
+            self.builder.event(kind.clone(), *origin);
+        }
+        self.leads_in = true;
+    }
+
+    pub(super) fn event(&mut self, kind: EventKind, origin: Origin) {
+        self.builder.event(kind.clone(), origin);
+        self.events.push((kind, origin));
+        self.last_line = line_of(origin);
+    }
+}
+
+/// A contour that starts at `start` [mm].
+pub(super) fn builder_at(start: DVec2, rules: Rules) -> ContourBuilder {
+    let mut builder = ContourBuilder::new(start);
+    if rules.any_lead {
+        builder.keep_centers();
+    }
+    builder
+}
+
+/// The line of a block.
+pub(super) fn line_of(origin: Origin) -> u32 {
+    match origin {
+        Origin::Block { line, .. } => line,
+        Origin::Segment(index) => index,
+    }
+}
