@@ -85,6 +85,10 @@ const MIN_SAGITTA: f64 = 0.5;
 /// middle by as much again through the centre.
 const ROUNDING: f64 = 1.5;
 
+/// Most steps to a centre that stays as it is when it is read and written again; two suffice but
+/// for one in thousands.
+const ROUNDS: u32 = 8;
+
 /// Arcs beyond three quarters of a circle whose ends are nearer than this are written as two
 /// [mm]: rounding, or a control in single precision, could take them for a full circle or nothing.
 const NEARLY_FULL: f64 = 0.01;
@@ -197,10 +201,12 @@ impl Emitter {
             // It stands at the head of the program.
             text = text.split_once(')').map_or("", |(_, rest)| rest);
         }
-        self.passing.pass(&mut self.out, text, words.origin);
+        let complete = self.passing.pass(&mut self.out, text, words.origin);
         if let Some(reset) = words.reset {
             self.at = reset.at;
-            self.out.reset(reset);
+            if complete {
+                self.out.reset(reset);
+            }
         }
     }
 
@@ -387,16 +393,23 @@ impl Emitter {
             return;
         }
         let end = self.in_plane(plane, to);
-        let mut center = arc.center();
+        let mut offset = units(arc.center() - start);
         if sweep.abs() < PI && start != end {
             // Equally far from both ends as written. Beyond half a circle their rounding would be
-            // magnified.
+            // magnified. Rounded, it is not quite so any more: what is read and written again must
+            // stay as it is.
             let chord = end - start;
-            let middle = start.midpoint(end);
-            center -= chord * ((center - middle).dot(chord) / chord.length_squared());
+            let mut center = arc.center() - start;
+            for round in 0..ROUNDS {
+                center -= chord * ((center - 0.5 * chord).dot(chord) / chord.length_squared());
+                let before = std::mem::replace(&mut offset, units(center));
+                if round > 0 && offset == before {
+                    break;
+                }
+                center = self.way(offset);
+            }
         }
-        let offset = units(center - start);
-        let center = start + DVec2::new(offset[0] as f64, offset[1] as f64) * self.unit;
+        let center = start + self.way(offset);
         let written = Arc::from_center(start, end, center, arc.is_clockwise(), f64::INFINITY);
         // Rounding moves the ends by parts of a radian at most; more is a turn gained or lost.
         let keeps_its_sweep = written.is_ok_and(|w| (w.sweep() - sweep).abs() < 1.0);
@@ -412,10 +425,15 @@ impl Emitter {
         }
     }
 
+    /// A way as written, in a plane [mm].
+    fn way(&self, [x, y]: [i64; 2]) -> DVec2 {
+        DVec2::new(x as f64, y as f64) / self.out.scale
+    }
+
     /// A point as written, in a plane [mm].
     fn in_plane(&self, plane: Plane, place: [i64; 3]) -> DVec2 {
         let [first, second, _] = plane.axes();
-        DVec2::new(place[first] as f64, place[second] as f64) / self.out.scale
+        self.way([place[first], place[second]])
     }
 
     fn set_feed(&mut self, next: &Move) {

@@ -20,6 +20,15 @@ enum Token<'a> {
     Word(char, f64),
 }
 
+impl<'a> Token<'a> {
+    fn comment(&self) -> Option<&'a str> {
+        match self {
+            Self::Comment(text) => Some(text),
+            Self::Word(..) => None,
+        }
+    }
+}
+
 /// Passes words on, and keeps what it has to say about them.
 #[derive(Debug, Default)]
 pub(super) struct Passing {
@@ -30,14 +39,18 @@ pub(super) struct Passing {
     spindle: [Option<f64>; 2],
     /// The T word.
     tool: Option<f64>,
+    /// Whether all words of a text were written.
+    complete: bool,
 }
 
 impl Passing {
-    /// Writes words.
-    pub(super) fn pass(&mut self, out: &mut BlockWriter, text: &str, origin: Origin) {
+    /// Writes words; tells whether none of them was left out.
+    pub(super) fn pass(&mut self, out: &mut BlockWriter, text: &str, origin: Origin) -> bool {
+        self.complete = true;
         let tokens = tokens(text);
         let mut line = String::new();
         let mut comments: Vec<&str> = Vec::new();
+        let mut says = true;
         let is_g =
             |token: &Token, number: f64| matches!(token, Token::Word('G', n) if *n == number);
         let machine = tokens.iter().any(|token| is_g(token, 53.0));
@@ -88,6 +101,14 @@ impl Passing {
                     out.state(motion, axes, find(parameters, 'F'));
                 }
                 'G' => self.g_word(&mut line, value, parameters, out, origin),
+                'M' if tenths(value) == 60 && !out.facts.knows_m(60) => {
+                    out.words(&line);
+                    line.clear();
+                    let all: Vec<&str> = tokens.iter().filter_map(Token::comment).collect();
+                    finish(out, String::new(), &all);
+                    says = false;
+                    self.change_by_hand(out, origin);
+                }
                 'M' => self.m_word(&mut line, value, parameters, out, origin),
                 'T' => {
                     self.tool = Some(value);
@@ -106,7 +127,8 @@ impl Passing {
                 line.clear();
             }
         }
-        finish(out, line, &comments);
+        finish(out, line, if says { &comments } else { &[] });
+        self.complete
     }
 
     /// A G word that is no motion.
@@ -131,7 +153,7 @@ impl Passing {
             let alone = number == 640 && out.facts.tape;
             push_command(line, 'G', value, if alone { &[] } else { parameters }, out);
         }
-        if matches!(number, 540..=593 | 920) {
+        if known && matches!(number, 540..=593 | 920) {
             // The same numbers are another place now.
             out.forget_place();
         }
@@ -158,22 +180,6 @@ impl Passing {
                 self.spindle[0] = None;
             }
             push_command(line, 'M', value, parameters, out);
-        } else if number == 60 {
-            out.words(line);
-            line.clear();
-            let tool = Decimal::of(self.tool.unwrap_or(0.0));
-            out.comment(&format!("change to tool {tool}"));
-            push_command(line, 'M', tenths_of(out.facts.pause), &[], out);
-            self.tell(
-                Diagnostic::info(
-                    "tool-change",
-                    format!(
-                        "{} waits for the change to tool {tool}: the target knows no M6",
-                        out.facts.pause
-                    ),
-                )
-                .with_origin(origin),
-            );
         } else if out.facts.single && matches!(number, 20 | 300) {
             // The end of the text is the end of the program.
             self.tell(
@@ -188,6 +194,16 @@ impl Passing {
         }
     }
 
+    /// What stands for M6 where that is not known.
+    fn change_by_hand(&mut self, out: &mut BlockWriter, origin: Origin) {
+        let (tool, pause) = (Decimal::of(self.tool.unwrap_or(0.0)), out.facts.pause);
+        out.comment(&format!("change to tool {tool}"));
+        out.words(pause);
+        let message =
+            format!("{pause} waits for the change to tool {tool}: the target knows no M6");
+        self.tell(Diagnostic::info("tool-change", message).with_origin(origin));
+    }
+
     /// A speed where it must stand beside M3 or M4.
     fn speed(&mut self, line: &mut String, value: f64, out: &BlockWriter) {
         self.spindle[1] = Some(value);
@@ -199,6 +215,7 @@ impl Passing {
 
     /// Says that a word is left out, once.
     fn left_out(&mut self, letter: char, value: f64, origin: Origin) {
+        self.complete = false;
         let word = (letter, tenths(value));
         if self.told.contains(&word) || self.told.len() > MOST_TOLD {
             return;
@@ -321,9 +338,4 @@ fn tenths(value: f64) -> i64 {
     #[expect(clippy::cast_possible_truncation, reason = "at most 1e10")]
     let tenths = (value * 10.0).round() as i64;
     tenths
-}
-
-/// The number of an M word by its text.
-fn tenths_of(word: &str) -> f64 {
-    word.get(1..).and_then(parse_decimal).unwrap_or(0.0)
 }
