@@ -1,16 +1,17 @@
 // How the command is called: help, versions, wrong options with a hint, messages, the bar.
 import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 
-import { Progress } from "../../dist/cli/progress.js";
+import { Bar } from "../../dist/cli/bar.js";
 import { root } from "../../scripts/command.mjs";
 import { corner, installed } from "./command.mjs";
 
 const { version } = JSON.parse(readFileSync(join(root, "package.json"), "utf8"));
 
-const { g41 } = installed({
+const { g41, path, write } = installed({
   "part.ngc": corner,
   "wrong.ngc": "G1 X5 F100 Q\n(\u001b[31mred)\nG1 X9 \u001b\n",
 });
@@ -99,29 +100,45 @@ test("what is found is told as FILE:LINE:COLUMN, without what would steer a term
   assert.doesNotMatch(err, /[\x00-\x09\x0b-\x1f]/);
 });
 
-test("the bar is drawn on terminals only, for long work only, and taken away at the end", () => {
+test("the bar tells the part of all steps that is done, guesses, and is taken away at the end", () => {
+  const written = [];
   const steps = [
     ["reading", 1],
     ["writing", 3],
   ];
-  const drawn = (isTTY, size) => {
-    const written = [];
-    const progress = new Progress({ isTTY, write: (text) => written.push(text) }, size, steps);
-    progress.next();
-    progress.next();
-    progress.part(0.5);
-    progress.part(0.5);
-    progress.end();
-    progress.end();
-    return written;
-  };
-  assert.deepEqual(drawn(false, 1e7), []);
-  assert.deepEqual(drawn(undefined, 1e7), []);
-  assert.deepEqual(drawn(true, 1000), []);
-  const texts = drawn(true, 1e7);
+  const bar = new Bar((text) => written.push(text), steps);
+  bar.next();
+  bar.next();
+  bar.part(0.5);
+  bar.part(0.5);
+  bar.guess(3 * Math.LN2);
+  bar.guess(1e9);
+  bar.end();
   assert.deepEqual(
-    texts.map((text) => text.match(/(\d+) % (\w+)$/)?.slice(1)),
-    [["0", "reading"], ["25", "writing"], ["62", "writing"], undefined],
+    written.map((text) => text.match(/\[(#*)\.*\] (\d+) % (\w+)$/)?.slice(1)),
+    [
+      ["", "0", "reading"],
+      ["########", "25", "writing"],
+      ["###################", "62", "writing"],
+      ["##############################", "100", "writing"],
+      undefined,
+    ],
   );
-  assert.equal(texts.at(-1), "\r\u001b[K");
+  assert.equal(written.at(-1), "\r\u001b[K");
+});
+
+const terminal = spawnSync("script", ["--version"]).error === undefined;
+
+test("the bar is drawn while long work goes on, on a terminal only", {
+  skip: !terminal,
+}, async () => {
+  const lines = Array.from({ length: 60_000 }, (_, i) => `G1 X${i} Y${i % 7} F100`);
+  write("long.ngc", lines.join("\n"));
+  const node = `"${process.execPath}" "${path("node_modules/g41/dist/cli.js")}"`;
+  const run = `${node} convert "${path("long.ngc")}" --output "${path("long.nc")}"`;
+  const { stdout } = spawnSync("script", ["-qec", run, "/dev/null"], { encoding: "utf8" });
+  assert.match(stdout, /\[#*\.*\] \d+ % writing/);
+  assert.ok(stdout.endsWith("\r\u001b[K"), JSON.stringify(stdout.slice(-80)));
+  const plain = await g41(["convert", "long.ngc", "-o", "long.nc"]);
+  assert.deepEqual(plain, { code: 0, out: "", err: "" });
 });

@@ -12,12 +12,12 @@ import { checkOptions, parseOptions, programOptions, toolsOf } from "./settings.
 /** @typedef {import("../types.d.ts").Gouge} Gouge */
 /** @typedef {import("../types.d.ts").Origin} Origin */
 
-/** What is done, and which part of the time it takes. */
-const steps = /** @type {const} */ ([
-  ["reading", 3],
-  ["compensating", 4],
-  ["judging", 3],
-]);
+/** @type {import("./progress.js").Steps} */
+const steps = [
+  ["reading", 0.2],
+  ["compensating", 0.9],
+  ["judging", 0.9],
+];
 
 /**
  * @param {readonly string[]} files
@@ -32,18 +32,7 @@ export async function check(files, values) {
   /** @type {number} */
   let code = exit.fine;
   for (const file of files) {
-    const { text } = await readText(file);
-    const progress = new Progress(process.stderr, text.length, steps);
-    progress.next();
-    const program = parseProgram(text, parseOptions(values));
-    progress.next();
-    const path = compensate(program, programOptions(values, tools));
-    progress.next();
-    const gouges = judge(program, path, checkOptions(values, tools));
-    const found = [...path.diagnostics, ...untold(gouges, path.diagnostics)];
-    program[Symbol.dispose]?.();
-    path[Symbol.dispose]?.();
-    progress.end();
+    const { found, gouges } = await judged((await readText(file)).text, values, tools);
     report(nameOf(file), found);
     const count = (/** @type {Diagnostic["severity"]} */ severity) =>
       found.filter((diagnostic) => diagnostic.severity === severity).length;
@@ -55,6 +44,32 @@ export async function check(files, values) {
     }
   }
   return code;
+}
+
+/**
+ * What is found with a program, the gouges that the judge finds among it.
+ *
+ * @param {string} text
+ * @param {Values} values
+ * @param {Awaited<ReturnType<typeof toolsOf>>} tools
+ * @returns {Promise<{ found: Diagnostic[], gouges: Gouge[] }>}
+ */
+async function judged(text, values, tools) {
+  const progress = new Progress(text.length, steps);
+  try {
+    progress.next();
+    const program = parseProgram(text, parseOptions(values));
+    progress.next();
+    const path = compensate(program, programOptions(values, tools));
+    progress.next();
+    const gouges = judge(program, path, checkOptions(values, tools));
+    const found = [...path.diagnostics, ...untold(gouges, path.diagnostics)];
+    program[Symbol.dispose]?.();
+    path[Symbol.dispose]?.();
+    return { found, gouges };
+  } finally {
+    await progress.end();
+  }
 }
 
 /**

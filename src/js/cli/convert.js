@@ -11,12 +11,12 @@ import { gcodeOptions, parseOptions, programOptions, toolsOf } from "./settings.
 
 /** @typedef {import("./arguments.js").Values} Values */
 
-/** What is done, and which part of the time it takes. */
-const steps = /** @type {const} */ ([
-  ["reading", 3],
-  ["compensating", 4],
-  ["writing", 3],
-]);
+/** @type {import("./progress.js").Steps} */
+const steps = [
+  ["reading", 0.2],
+  ["compensating", 0.9],
+  ["writing", 0.2],
+];
 
 /**
  * @param {readonly string[]} files
@@ -37,27 +37,29 @@ export async function convert(files, values) {
   }
   const tools = await toolsOf(values);
   const { text, encoding } = await readText(file);
-  const progress = new Progress(process.stderr, text.length, steps);
-  progress.next();
-  const program = parseProgram(text, parseOptions(values));
-  progress.next();
-  const path = compensate(program, programOptions(values, tools));
-  program[Symbol.dispose]?.();
-  progress.next();
-  let found = path.diagnostics;
-  if (json) {
-    const total = useToolPath(path, (raw) => raw.count());
-    await write(
-      output,
-      jsonPieces(path, (done) => progress.part(done / total)),
-      "utf8",
-    );
-  } else {
-    const emitted = path.emit(gcodeOptions(values));
-    found = [...found, ...emitted.diagnostics];
-    await write(output, [emitted.text], encoding);
+  const progress = new Progress(text.length, steps);
+  /** @type {import("../types.d.ts").Diagnostic[]} */
+  let found;
+  try {
+    progress.next();
+    const program = parseProgram(text, parseOptions(values));
+    progress.next();
+    const path = compensate(program, programOptions(values, tools));
+    program[Symbol.dispose]?.();
+    progress.next();
+    found = path.diagnostics;
+    if (json) {
+      const total = useToolPath(path, (raw) => raw.count());
+      const pieces = jsonPieces(path, (done) => progress.part(done / total));
+      await write(output, pieces, "utf8");
+    } else {
+      const emitted = path.emit(gcodeOptions(values));
+      found = [...found, ...emitted.diagnostics];
+      await write(output, [emitted.text], encoding);
+    }
+  } finally {
+    await progress.end();
   }
-  progress.end();
   report(nameOf(file), found);
   return found.some(({ severity }) => severity === "error") ? exit.faults : exit.fine;
 }
