@@ -152,7 +152,7 @@ impl Interpreter {
                     Some(700..=739) => {
                         self.not_supported(block, found.column, "saving modes (M70 to M73)");
                     }
-                    Some(970 | 980 | 990) => {
+                    Some(970) => {
                         self.not_supported(block, found.column, "a subprogram");
                         words.take_all("PLQ");
                     }

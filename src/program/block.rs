@@ -28,8 +28,15 @@ pub struct Block {
     pub comments: Vec<String>,
 }
 
-// Never inlined: asked for wherever a diagnostic is made.
+// Mostly never inlined: asked for wherever a diagnostic is made.
 impl Block {
+    /// Makes it the empty block of a line, and keeps its memory.
+    pub(super) fn clear(&mut self, line: u32) {
+        (self.line, self.number, self.skippable) = (line, None, false);
+        self.words.clear();
+        self.comments.clear();
+    }
+
     /// The place of the block.
     #[inline(never)]
     #[must_use]

@@ -43,6 +43,16 @@ impl Systems {
     pub(super) fn new() -> Self {
         Self { active: None, origins: [[None; 3]; 9], shift: [[Some(0.0); 3]; 2] }
     }
+
+    /// The active system, 0 being G54, if a word has said which.
+    pub(super) fn active(&self) -> Option<usize> {
+        self.active
+    }
+
+    /// A coordinate of the origin of a system [mm], if the program has set it.
+    pub(super) fn origin(&self, system: usize, axis: usize) -> Option<f64> {
+        *self.origins.get(system)?.get(axis)?
+    }
 }
 
 impl Interpreter {

@@ -28,6 +28,8 @@ pub(super) struct SwitchOn {
 #[derive(Debug)]
 pub(super) struct Course {
     items: Vec<Item>,
+    /// How many segments and events the contours among them have.
+    segments: usize,
     state: State,
     rules: Rules,
     /// Compensation was switched off, and no straight move has followed yet.
@@ -48,7 +50,16 @@ enum State {
 
 impl Course {
     pub(super) fn new(rules: Rules) -> Self {
-        Self { items: Vec::new(), state: State::Off, rules, needs_a_line: false }
+        Self { items: Vec::new(), segments: 0, state: State::Off, rules, needs_a_line: false }
+    }
+
+    /// How many moves and words there are, those of an open contour included.
+    pub(super) fn len(&self) -> usize {
+        let open = match &self.state {
+            State::On(open) | State::Ending(open) => open.builder.len() + open.events.len(),
+            State::Off | State::Waiting(_) => 0,
+        };
+        self.items.len() + self.segments + open
     }
 
     /// Whether moves are free, apart from a lead-in.
@@ -330,6 +341,7 @@ impl Course {
         }
         let empty = open.builder.is_empty();
         if !empty {
+            self.segments += open.builder.len() + open.events.len();
             let built = open.builder.build(false);
             report.extend(built.diagnostics);
             if let Some(contour) = built.contour {

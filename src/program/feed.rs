@@ -53,6 +53,16 @@ impl Feed {
         self.mode == FeedMode::InverseTime
     }
 
+    pub(super) fn mode(&self) -> FeedMode {
+        self.mode
+    }
+
+    /// The F word, where it counts for more than its block, in programs of a unit [mm].
+    pub(super) fn word(&self, unit: f64) -> Option<f64> {
+        let value = self.value? / unit;
+        Some(if self.mode == FeedMode::PerMinute { value * MINUTE } else { value })
+    }
+
     /// G96 and G97; tells whether that is a change.
     pub(super) fn set_surface_speed(&mut self, on: bool) -> bool {
         let changes = self.surface_speed != on;

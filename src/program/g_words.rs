@@ -158,7 +158,7 @@ pub(super) fn g_word(tenths: u32) -> Option<GWord> {
         590..=593 => GWord::Act(Act::System(Some((tenths - 585) as usize))),
         600 => NotSupported("one-sided positioning (G60)"),
         640 => PassedOn("PQ"),
-        650 | 660 => NotSupported("a macro call"),
+        660 => NotSupported("a macro call"),
         680 => GWord::Act(Act::Rotate(true)),
         690 => GWord::Act(Act::Rotate(false)),
         730 | 740 | 760 | 810 | 820 | 830 | 840 | 850 | 860 | 870 | 880 | 890 => {

@@ -30,6 +30,7 @@ pub(super) enum Flow {
 }
 
 /// The state of a control while it runs through a program.
+#[derive(Debug)]
 pub(super) struct Interpreter {
     pub(super) dialect: Dialect,
     pub(super) modal: Modal,
@@ -55,6 +56,12 @@ impl Interpreter {
             rules,
             is_refused: false,
         }
+    }
+
+    /// How many moves and words there are, those included that wait for what follows.
+    pub(super) fn len(&self) -> usize {
+        let points = self.spline.as_ref().map_or(0, PendingSpline::len);
+        self.course.len() + self.waiting.len() + points
     }
 
     pub(super) fn block(&mut self, block: &Block) -> Flow {

@@ -1,8 +1,12 @@
-//! Reading one line of text: words, comments, block delete, and what is none of these.
+//! Reading one line of text: words, comments, assignments, block delete, and what is none of these.
 
 use super::block::{Block, Word};
-use super::number::{NumberError, parse_number, whole};
-use super::report::Report;
+use super::cursor::Cursor;
+use super::dialect::Dialect;
+use super::expression::{Fault, is_system};
+use super::interpret::Interpreter;
+use super::number::{NumberError, whole};
+use super::parameters::{FAILED, Parameters, Setting, Target};
 
 /// Most words of a block. Controls allow about 250 characters; a line without end is no block.
 const MOST_WORDS: usize = 100;
@@ -10,245 +14,452 @@ const MOST_WORDS: usize = 100;
 /// Most characters of the text that a message quotes.
 const MOST_QUOTED: usize = 20;
 
-/// What follows the number of an O word where it is control flow and not a program number.
-const FLOW_WORDS: [&str; 13] = [
-    "sub",
-    "endsub",
-    "call",
-    "return",
-    "do",
-    "while",
-    "endwhile",
-    "if",
-    "elseif",
-    "else",
-    "endif",
-    "repeat",
-    "endrepeat",
-];
+/// Largest number a word may have, as [`super::number`] reads them.
+const LARGEST: f64 = 1e9;
 
-/// What one line is.
-pub(super) enum Line {
-    /// Nothing but space.
-    Blank,
-    /// `%`, which opens and ends a program.
-    Percent,
-    /// A block, maybe without words.
-    Block(Block),
+/// Reads one line into a block.
+#[derive(Debug)]
+pub(super) struct LineReader<'a> {
+    pub(super) cursor: Cursor<'a>,
+    pub(super) dialect: Dialect,
+    pub(super) parameters: &'a Parameters,
+    pub(super) interpreter: &'a mut Interpreter,
+    pub(super) block: &'a mut Block,
+    /// The assignments of the block.
+    pub(super) settings: &'a mut Vec<Setting>,
+    /// How deep an expression is nested.
+    pub(super) depth: u32,
+    /// Whether blocks with `/` are skipped.
+    pub(super) block_delete: bool,
+    /// Where GOTO leads to, and its column.
+    pub(super) jump: Option<(f64, u32)>,
+    /// Whether a word calls a subprogram or returns from one.
+    pub(super) calls: bool,
 }
 
-/// Reads line number `line`, counted from 1.
-pub(super) fn read_line(text: &str, line: u32, report: &mut Report) -> Line {
-    let block = Block { line, ..Block::default() };
-    let mut lexer = Lexer { rest: text, column: 1, block, report, at_start: true };
-    lexer.skip_space();
-    if lexer.rest.is_empty() {
-        return Line::Blank;
-    }
-    if lexer.rest.starts_with('%') {
-        return Line::Percent;
-    }
-    while let Some(c) = lexer.peek() {
-        lexer.element(c);
-        lexer.skip_space();
-    }
-    Line::Block(lexer.block)
-}
-
-/// A place in a line, and the block as read so far.
-struct Lexer<'a> {
-    rest: &'a str,
-    column: u32,
-    block: Block,
-    report: &'a mut Report,
-    /// Whether nothing but space, `/` and N was read yet.
-    at_start: bool,
-}
-
-impl<'a> Lexer<'a> {
-    fn peek(&self) -> Option<char> {
-        self.rest.chars().next()
-    }
-
-    /// Moves on by the first `bytes` of the rest, which are whole characters, and returns them.
-    fn take(&mut self, bytes: usize) -> &'a str {
-        let (taken, rest) = self.rest.split_at_checked(bytes).unwrap_or((self.rest, ""));
-        self.rest = rest;
-        let characters = u32::try_from(taken.chars().count()).unwrap_or(u32::MAX);
-        self.column = self.column.saturating_add(characters);
-        taken
-    }
-
-    fn take_while(&mut self, belongs: impl Fn(char) -> bool) -> &'a str {
-        let bytes = self.rest.find(|c| !belongs(c)).unwrap_or(self.rest.len());
-        self.take(bytes)
-    }
-
-    fn skip_space(&mut self) {
-        self.take_while(char::is_whitespace);
-    }
-
-    fn error(&mut self, code: &'static str, message: impl Into<String>, column: u32, hint: &str) {
-        self.report.error(code, message, self.block.origin_at(column), hint);
-    }
-
-    /// Reads what begins with `c`.
-    fn element(&mut self, c: char) {
-        let at_start = std::mem::replace(&mut self.at_start, false);
-        match c {
-            '/' if at_start => {
-                self.take(1);
-                // A digit names the switch.
-                if self.peek().is_some_and(|c| c.is_ascii_digit()) {
-                    self.take(1);
+impl LineReader<'_> {
+    /// `/` with the number of its switch, and N. False where the block is to be skipped.
+    pub(super) fn head(&mut self) -> bool {
+        while let Some(c) = self.cursor.peek() {
+            let from = self.cursor.at();
+            match c {
+                b'/' => {
+                    self.cursor.skip();
+                    // A digit names the switch.
+                    if matches!(self.cursor.peek(), Some(b'0'..=b'9')) {
+                        self.cursor.skip();
+                    }
+                    self.block.skippable = true;
+                    if self.block_delete {
+                        self.cursor.skip_all();
+                        return false;
+                    }
                 }
-                self.block.skippable = true;
-                self.at_start = true;
+                b'N' => {
+                    self.cursor.skip();
+                    match self.cursor.number(true) {
+                        Ok(number) => self.block.number = whole(number.trunc()),
+                        Err(_) if self.name_follows() => {
+                            self.cursor.set(from);
+                            return true;
+                        }
+                        Err(error) => self.bad_number(error, from),
+                    }
+                }
+                _ => return true,
             }
-            '(' | ';' => self.comment(c),
-            'O' | 'o' if at_start && self.is_flow() => {
-                let column = self.column;
-                self.error(
-                    "unsupported-flow",
-                    "subprograms and loops (O words) are not supported",
-                    column,
-                    "the block is left out; write the blocks out one by one",
-                );
-                self.skip_block();
+        }
+        true
+    }
+
+    /// Reads the words, assignments and comments up to the end of the line.
+    pub(super) fn elements(&mut self) {
+        while let Some(c) = self.cursor.peek() {
+            self.element(c);
+        }
+    }
+
+    /// Reads comments; of other words after an O word it is said that they have no effect.
+    pub(super) fn only_comments(&mut self) {
+        while let Some(c) = self.cursor.peek() {
+            if matches!(c, b'(' | b';') {
+                self.comment(c);
+                continue;
             }
-            c if c.is_ascii_alphabetic() => self.word(c.to_ascii_uppercase(), at_start),
-            '#' | '[' => {
-                self.expression();
-                self.skip_block();
-            }
-            c if is_number(c) => {
-                let column = self.column;
-                let text = self.take_while(is_number);
-                let message = format!("the number {} has no letter", quote(text));
-                self.error("number-without-letter", message, column, "it is left out");
-            }
-            _ => {
-                let column = self.column;
-                let text = self.take_while(|c| {
-                    let known = matches!(c, '(' | ';' | '#' | '[' | '+' | '-' | '.');
-                    !(c.is_ascii_alphanumeric() || c.is_whitespace() || known)
-                });
-                let message = format!("{} is no part of a program", quote(text));
-                self.error("unexpected-character", message, column, "it is left out");
+            let from = self.cursor.at();
+            self.cursor.skip_all();
+            let message = format!("{} has no meaning here", quote(self.cursor.since(from)));
+            self.error("words-after-flow", message, from, "put it into a block of its own");
+        }
+    }
+
+    /// A value, or [`FAILED`] where there is none.
+    pub(super) fn argument(&mut self) -> f64 {
+        self.cursor.peek();
+        let from = self.cursor.at();
+        self.value().unwrap_or_else(|fault| {
+            self.report_fault(&fault, from, "it has no value");
+            self.cursor.skip_all();
+            FAILED
+        })
+    }
+
+    /// Whether the condition that comes next holds: not 0.
+    pub(super) fn holds(&mut self) -> bool {
+        self.cursor.peek();
+        let from = self.cursor.at();
+        match self.value() {
+            Ok(value) => value != 0.0 && !value.is_nan(),
+            Err(fault) => {
+                self.report_fault(&fault, from, "it counts as false");
+                self.cursor.skip_all();
+                false
             }
         }
     }
 
-    fn comment(&mut self, opening: char) {
-        let column = self.column;
-        let end = if opening == '(' { self.rest.find(')').map(|i| i + 1) } else { None };
-        let text = self.take(end.unwrap_or(self.rest.len()));
+    /// Reads what begins with `c`.
+    fn element(&mut self, c: u8) {
+        let from = self.cursor.at();
+        match c {
+            b'(' | b';' => self.comment(c),
+            b'I' if self.cursor.eat_all("IF[") => self.condition(),
+            b'G' if self.cursor.eat_all("GOTO") => {
+                let column = self.cursor.column(from);
+                match self.value() {
+                    Ok(number) => self.jump = Some((number, column)),
+                    Err(fault) => self.report_fault(&fault, from, "it is left out"),
+                }
+                self.cursor.skip_all();
+            }
+            // LinuxCNC has the signs for polar coordinates.
+            b'A'..=b'Z' | b'@' | b'^' => self.word(c),
+            b'#' => self.assignment(),
+            b'[' => {
+                let value = self.value();
+                let nothing =
+                    Fault { code: "bad-expression", message: "it has no letter", at: from };
+                self.report_fault(value.as_ref().err().unwrap_or(&nothing), from, "it is left out");
+            }
+            b'0'..=b'9' | b'+' | b'-' | b'.' => {
+                // What it is, does not matter.
+                let _ = self.cursor.number(true);
+                let message =
+                    format!("the number {} has no letter", quote(self.cursor.since(from)));
+                self.error("number-without-letter", message, from, "it is left out");
+            }
+            _ => self.unexpected(),
+        }
+    }
+
+    fn unexpected(&mut self) {
+        let from = self.cursor.at();
+        let text = self.cursor.take_while(|c| {
+            let known = matches!(c, '(' | ';' | '#' | '[' | '+' | '-' | '.' | '@' | '^');
+            !(c.is_ascii_alphanumeric() || c.is_ascii_whitespace() || c == '\x0b' || known)
+        });
+        // Spaces of other alphabets are spaces.
+        if !text.chars().all(char::is_whitespace) {
+            let message = format!("{} is no part of a program", quote(text));
+            self.error("unexpected-character", message, from, "it is left out");
+        }
+    }
+
+    fn comment(&mut self, opening: u8) {
+        let from = self.cursor.at();
+        let text = self.cursor.rest();
+        let end = if opening == b'(' { text.find(')').map(|i| i + 1) } else { None };
+        let text = text.get(..end.unwrap_or(text.len())).unwrap_or_default();
+        self.cursor.set(from + text.len());
         let mut comment: String = text.trim_end().chars().filter(|c| !c.is_control()).collect();
-        if opening == '(' && end.is_none() {
+        if opening == b'(' && end.is_none() {
             comment.push(')');
-            let origin = self.block.origin_at(column);
+            let origin = self.block.origin_at(self.cursor.column(from));
             let hint = "the rest of the line counts as comment";
-            self.report.warning("unclosed-comment", "the comment has no end", origin, hint);
+            let report = &mut self.interpreter.report;
+            report.warning("unclosed-comment", "the comment has no end", origin, hint);
         }
         self.block.comments.push(comment);
     }
 
-    /// Whether the O word ahead calls or defines a subprogram.
-    fn is_flow(&self) -> bool {
-        let after = self.rest.get(1..).unwrap_or_default().trim_start();
-        let name = after.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
-        let word = name.split(|c: char| !c.is_ascii_alphabetic()).next().unwrap_or_default();
-        after.starts_with('<') || FLOW_WORDS.iter().any(|flow| word.eq_ignore_ascii_case(flow))
+    /// `IF […]` before GOTO or THEN: what follows counts only where it is true.
+    fn condition(&mut self) {
+        // The bracket was read already.
+        self.cursor.set(self.cursor.at() - 1);
+        if self.holds() {
+            self.cursor.eat_all("THEN");
+        } else {
+            self.cursor.skip_all();
+        }
     }
 
-    fn word(&mut self, letter: char, at_start: bool) {
-        let column = self.column;
-        self.take(1);
-        self.skip_space();
-        if matches!(self.peek(), Some('#' | '[')) {
-            self.expression();
+    /// `#1=…`.
+    fn assignment(&mut self) {
+        let from = self.cursor.at();
+        self.cursor.skip();
+        match self.target() {
+            Ok(target) if self.cursor.eat(b'=') => self.set(target, from),
+            Ok(_) => {
+                let nothing =
+                    Fault { code: "bad-expression", message: "it has no letter", at: from };
+                self.report_fault(&nothing, from, "it is left out");
+            }
+            Err(fault) => {
+                self.report_fault(&fault, from, "the rest of the block is left out");
+                self.cursor.skip_all();
+            }
+        }
+    }
+
+    /// The value after `=`.
+    fn set(&mut self, target: Target, from: usize) {
+        let column = self.cursor.column(from);
+        let value = match self.expression(1) {
+            Ok(value) => value,
+            Err(fault) => {
+                self.report_fault(
+                    &fault,
+                    from,
+                    "the parameter has no value now; the rest is left out",
+                );
+                self.cursor.skip_all();
+                FAILED
+            }
+        };
+        let system = match &target {
+            // FANUC's vacant variable cannot be filled.
+            Target::Number(0) => self.dialect != Dialect::Sinumerik,
+            // 3000 raises an alarm, 3006 shows a message and stops.
+            Target::Number(3000 | 3006) => false,
+            Target::Number(number) => is_system(*number, self.dialect),
+            Target::Name(name) => self.interpreter.system_name(name).is_some(),
+        };
+        if system {
+            let fault =
+                Fault { code: "bad-parameter", message: "the parameter cannot be set", at: from };
+            self.report_fault(&fault, from, "the assignment is left out; set it on the machine");
+        } else {
+            self.settings.push(Setting { target, value, column });
+        }
+    }
+
+    fn word(&mut self, letter: u8) {
+        let from = self.cursor.at();
+        if self.dialect == Dialect::Sinumerik && self.name_word() {
             return;
         }
-        let text = self.take_while(is_number);
-        match parse_number(text) {
-            Ok(value) if letter == 'N' && at_start => {
-                self.block.number = whole(value.trunc());
-                self.at_start = true;
+        self.cursor.skip();
+        let value = match self.cursor.peek() {
+            Some(b'0'..=b'9' | b'.' | b'+' | b'-') => {
+                let at = self.cursor.at();
+                let number = self.cursor.number(true);
+                let signs =
+                    !self.cursor.since(at).contains(|c: char| c.is_ascii_digit() || c == '.');
+                match number {
+                    Ok(value) if self.cursor.peek() == Some(b'=') => {
+                        self.address(letter, value, from);
+                        return;
+                    }
+                    Ok(value) => value,
+                    Err(NumberError::Garbled) if signs && self.value_follows() => {
+                        self.cursor.set(at);
+                        return self.evaluated_word(letter, from);
+                    }
+                    Err(error) => return self.bad_number(error, from),
+                }
             }
-            Ok(value) => self.accept(Word { letter, value, column }),
-            Err(NumberError::Missing) => {
-                let message = format!("the word {letter} has no number");
-                self.error("missing-number", message, column, "the word is left out");
+            Some(b'=') => {
+                self.cursor.skip();
+                let value = self.expression(1);
+                return self.accept_value(letter, value, from);
             }
-            Err(NumberError::Garbled) => {
-                let message = format!("{letter}{} has no number that can be read", quote(text));
-                self.error("garbled-number", message, column, "the word is left out");
+            _ if self.value_follows() => return self.evaluated_word(letter, from),
+            _ => return self.bad_number(NumberError::Missing, from),
+        };
+        let column = self.cursor.column(from);
+        self.accept(Word { letter: char::from(letter), value, column }, from);
+    }
+
+    /// Whether something comes next that is evaluated.
+    fn value_follows(&mut self) -> bool {
+        match self.cursor.peek() {
+            Some(b'#' | b'[') => true,
+            Some(b'A'..=b'Z') => {
+                let at = self.cursor.at();
+                let function = self.function_name();
+                self.cursor.set(at);
+                function.is_some()
             }
-            Err(NumberError::TooLarge) => {
-                let message = format!("the number of {letter}{} is beyond 1e9", quote(text));
-                self.error("number-too-large", message, column, "the word is left out");
+            _ => false,
+        }
+    }
+
+    fn evaluated_word(&mut self, letter: u8, from: usize) {
+        let value = self.value();
+        self.accept_value(letter, value, from);
+    }
+
+    fn accept_value(&mut self, letter: u8, value: Result<f64, Fault>, from: usize) {
+        match value {
+            // A word with FANUC's vacant variable is as good as not there.
+            Ok(value) if value.is_nan() => {}
+            Ok(value) if value.abs() > LARGEST => self.bad_number(NumberError::TooLarge, from),
+            Ok(value) => {
+                let column = self.cursor.column(from);
+                // Whole numbers out of expressions are rarely whole to the last bit.
+                let round = value.round();
+                let near = matches!(letter, b'G' | b'M' | b'T' | b'D' | b'H' | b'P' | b'L')
+                    && (value - round).abs() < 1e-4;
+                let value = if near { round } else { value };
+                self.accept(Word { letter: char::from(letter), value, column }, from);
+            }
+            Err(fault) => {
+                self.report_fault(&fault, from, "the word is left out");
+                self.resume(from);
             }
         }
     }
 
-    /// Adds a word; of two with one letter the later counts, G and M words apart.
-    fn accept(&mut self, word: Word) {
-        if self.block.words.len() == MOST_WORDS {
+    /// After a fault in the value of a word: goes on behind the value.
+    fn resume(&mut self, from: usize) {
+        self.cursor.set(from);
+        self.cursor.skip();
+        let mut depth = 0_u32;
+        while let Some(c) = self.cursor.peek() {
+            match c {
+                b'(' | b';' if depth == 0 => return,
+                b'<' => {
+                    self.cursor.take_while(|c| c != '>');
+                }
+                b'[' => depth += 1,
+                b']' => {
+                    depth = depth.saturating_sub(1);
+                    self.cursor.skip();
+                    // The second argument of ATAN.
+                    if depth == 0 && self.cursor.peek() != Some(b'/') {
+                        return;
+                    }
+                    continue;
+                }
+                b'A'..=b'Z' if depth == 0 && self.function_name().is_none() => return,
+                _ => {}
+            }
+            if self.cursor.peek().is_some_and(|c| c.is_ascii()) {
+                self.cursor.skip();
+            } else {
+                self.cursor.take_while(|c| !c.is_ascii());
+            }
+        }
+    }
+
+    /// SINUMERIK's addresses with a number and `=`, of which R is a parameter.
+    fn address(&mut self, letter: u8, number: f64, from: usize) {
+        self.cursor.skip();
+        match whole(number) {
+            Some(number) if letter == b'R' && number <= super::parameters::LAST => {
+                self.set(Target::Number(number), from);
+            }
+            _ => {
+                let value = self.expression(1);
+                let unknown = Fault { code: "unknown-name", message: "it is not known", at: from };
+                let fault = value.as_ref().err().unwrap_or(&unknown);
+                self.report_fault(fault, from, "it is left out");
+            }
+        }
+    }
+
+    /// Whether a name of two letters or more comes next.
+    fn name_follows(&mut self) -> bool {
+        let rest = self.cursor.rest().as_bytes();
+        rest.first().is_some_and(u8::is_ascii_alphabetic)
+    }
+
+    /// SINUMERIK's names of two letters and more; false where there is none.
+    fn name_word(&mut self) -> bool {
+        let from = self.cursor.at();
+        let rest = self.cursor.rest().as_bytes();
+        if !rest.get(1).is_some_and(|c| c.is_ascii_alphabetic() || *c == b'_') {
+            return false;
+        }
+        if self.cursor.eat_all("CR=") {
+            // The radius of an arc, with the sign that tells which.
+            let value = self.expression(1);
+            self.accept_value(b'R', value, from);
+            return true;
+        }
+        if self.cursor.eat_all("MSG(") {
+            let text = self.cursor.take_while(|c| c != ')');
+            let shown: String = text.chars().filter(|c| !c.is_control() && *c != '"').collect();
+            self.cursor.eat(b')');
+            self.block.comments.push(format!("(MSG,{shown})"));
+            return true;
+        }
+        let name = self.cursor.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
+        let message = format!("{} is not known", quote(name));
+        self.error("unknown-name", message, from, "the rest of the block is left out");
+        self.cursor.skip_all();
+        true
+    }
+
+    /// Adds a word; of two with one letter the later counts, G and M words and the arguments of a
+    /// macro apart.
+    fn accept(&mut self, word: Word, from: usize) {
+        let words = &mut self.block.words;
+        if words.len() == MOST_WORDS {
             let message = format!("the block has more than {MOST_WORDS} words");
-            self.error("too-many-words", message, word.column, "the rest of it is left out");
-            self.skip_block();
+            self.error("too-many-words", message, from, "the rest of it is left out");
+            self.cursor.skip_all();
             return;
         }
-        if !matches!(word.letter, 'G' | 'M')
-            && let Some(i) = self.block.words.iter().position(|w| w.letter == word.letter)
-        {
-            let message = format!("the block has two {} words", word.letter);
-            self.error("repeated-word", message, word.column, "the later one counts");
-            self.block.words.remove(i);
+        match word.letter {
+            'G' => self.calls |= word.value == 65.0,
+            'M' => self.calls |= word.value == 98.0 || word.value == 99.0,
+            'I' | 'J' | 'K' if self.calls => {}
+            _ => {
+                if let Some(i) = words.iter().position(|w| w.letter == word.letter) {
+                    words.remove(i);
+                    let message = format!("the block has two {} words", word.letter);
+                    self.error("repeated-word", message, from, "the later one counts");
+                }
+            }
         }
         self.block.words.push(word);
     }
 
-    /// Reports a variable or an expression and moves over it.
-    fn expression(&mut self) {
-        let column = self.column;
-        self.error(
-            "unsupported-expression",
-            "variables (#) and expressions ([ ]) are not supported",
-            column,
-            "the word is left out; write its number",
-        );
-        let end = if self.peek() == Some('[') {
-            let mut depth = 0_u32;
-            self.rest.char_indices().find_map(|(i, c)| {
-                match c {
-                    '[' => depth += 1,
-                    ']' => depth -= 1,
-                    _ => {}
-                }
-                (depth == 0).then_some(i + 1)
-            })
-        } else {
-            self.take_while(|c| c == '#');
-            match self.peek() {
-                Some('<') => self.rest.find('>').map(|i| i + 1),
-                _ => self.rest.find(|c: char| !c.is_ascii_digit()),
+    fn bad_number(&mut self, error: NumberError, from: usize) {
+        let text = quote(self.cursor.since(from).trim_end());
+        let (code, message) = match error {
+            NumberError::Missing => ("missing-number", format!("the word {text} has no number")),
+            NumberError::Garbled => {
+                ("garbled-number", format!("{text} has no number that can be read"))
+            }
+            NumberError::TooLarge => {
+                ("number-too-large", format!("the number of {text} is beyond 1e9"))
             }
         };
-        self.take(end.unwrap_or(self.rest.len()));
+        self.error(code, message, from, "the word is left out");
     }
 
-    fn skip_block(&mut self) {
-        self.take(self.rest.len());
+    fn error(&mut self, code: &'static str, message: String, from: usize, hint: &str) {
+        let origin = self.block.origin_at(self.cursor.column(from));
+        self.interpreter.error(code, message, origin, hint);
     }
-}
 
-fn is_number(c: char) -> bool {
-    c.is_ascii_digit() || matches!(c, '+' | '-' | '.')
+    /// Reports why there is no value of what began at `from`.
+    pub(super) fn report_fault(&mut self, fault: &Fault, from: usize, hint: &str) {
+        let message = format!("{}: {}", quote(self.cursor.since(from).trim()), fault.message);
+        self.error(fault.code, message, fault.at, hint);
+    }
+
+    pub(super) fn warn(&mut self, code: &'static str, at: usize, what: &str, hint: &str) {
+        let message = format!("{}: {what}", quote(self.cursor.since(at)));
+        let origin = self.block.origin_at(self.cursor.column(at));
+        self.interpreter.report.warning(code, message, origin, hint);
+    }
 }
 
 /// The text for a message: short, and without characters that cannot be shown.
-fn quote(text: &str) -> String {
+pub(super) fn quote(text: &str) -> String {
     let mut quoted: String = text
         .chars()
         .take(MOST_QUOTED)

@@ -7,30 +7,44 @@ use crate::geometry::sort_short;
 /// noise gives a list that can be read and sent on.
 const MOST_OF_A_CODE: u32 = 100;
 
-/// Collects diagnostics, the first hundred of each code.
+/// Collects diagnostics, the first hundred of each code, each once however often its block is run.
 #[derive(Debug, Default)]
 pub(super) struct Report {
     diagnostics: Vec<Diagnostic>,
-    /// For each code how many there were, and the first that was not listed.
-    counts: Vec<(u32, Diagnostic)>,
+    counts: Vec<Count>,
+}
+
+/// How often a code was found.
+#[derive(Debug)]
+struct Count {
+    /// How often in all.
+    found: u32,
+    /// How many of these are listed.
+    listed: u32,
+    /// The first that is not listed; until there is one, the first of all.
+    first: Diagnostic,
 }
 
 impl Report {
     pub(super) fn push(&mut self, diagnostic: Diagnostic) {
-        let seen = self.counts.iter_mut().find(|(_, first)| first.code == diagnostic.code);
-        match seen {
-            None => {
-                self.counts.push((1, diagnostic.clone()));
-                self.diagnostics.push(diagnostic);
-            }
-            Some((count, first)) => {
-                *count = count.saturating_add(1);
-                if *count <= MOST_OF_A_CODE {
-                    self.diagnostics.push(diagnostic);
-                } else if *count == MOST_OF_A_CODE + 1 {
-                    *first = diagnostic;
-                }
-            }
+        let Some(count) = self.counts.iter_mut().find(|count| count.first.code == diagnostic.code)
+        else {
+            self.counts.push(Count { found: 1, listed: 1, first: diagnostic.clone() });
+            self.diagnostics.push(diagnostic);
+            return;
+        };
+        let none_left_out = count.found == count.listed;
+        count.found = count.found.saturating_add(1);
+        let repeats = |listed: &Diagnostic| {
+            listed.origin == diagnostic.origin
+                && listed.code == diagnostic.code
+                && listed.message == diagnostic.message
+        };
+        if count.listed < MOST_OF_A_CODE && !self.diagnostics.iter().rev().any(repeats) {
+            count.listed += 1;
+            self.diagnostics.push(diagnostic);
+        } else if none_left_out {
+            count.first = diagnostic;
         }
     }
 
@@ -64,9 +78,9 @@ impl Report {
 
     /// The diagnostics in the order of the text, those without a place last.
     pub(super) fn finish(mut self) -> Vec<Diagnostic> {
-        for (count, first) in self.counts {
-            if count > MOST_OF_A_CODE {
-                let further = count - MOST_OF_A_CODE;
+        for Count { found, listed, first } in self.counts {
+            if found > listed {
+                let further = found - listed;
                 let message = format!("{further} further like this; the first: {}", first.message);
                 self.diagnostics.push(Diagnostic { message, ..first });
             }
@@ -82,6 +96,18 @@ impl Report {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn what_is_found_again_at_the_same_place_is_only_counted() {
+        let mut report = Report::default();
+        for line in [1, 2, 1, 1, 2, 1] {
+            let origin = Origin::Block { line, number: None, column: None };
+            report.push(Diagnostic::error("noise", "noise").with_origin(origin));
+        }
+        let diagnostics = report.finish();
+        assert_eq!(diagnostics.len(), 3, "one of each line, one for the rest: {diagnostics:?}");
+        assert!(diagnostics[1].message.starts_with("4 further"), "{}", diagnostics[1]);
+    }
 
     #[test]
     fn a_code_is_listed_a_hundred_times_and_then_counted() {

@@ -76,6 +76,11 @@ impl PendingSpline {
         Self { start, points: Vec::new(), attributes, feed: None }
     }
 
+    /// How many type points it has after its start.
+    pub(super) fn len(&self) -> usize {
+        self.points.len()
+    }
+
     /// Adds a type point with what was programmed in its block.
     pub(super) fn add(&mut self, point: DVec2, attributes: Attributes) -> Added {
         let Some(&last) = self.points.last() else {

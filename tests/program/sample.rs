@@ -21,6 +21,24 @@ pub(crate) fn moves(read: &Interpretation) -> Vec<Move> {
     read.items.iter().filter_map(free).collect()
 }
 
+/// Where the moves of a program end in the plane, in which nothing is to be found fault with.
+pub(crate) fn ends(text: &str, dialect: Dialect) -> Vec<[f64; 2]> {
+    let read = interpret(&Program::parse(text, dialect), Rules::default());
+    assert!(read.diagnostics.is_empty(), "{text}\n{:?}", read.diagnostics);
+    moves(&read).iter().map(|m| m.curve.end().to_array()).collect()
+}
+
+/// X at the ends of the moves, rounded to nanometres.
+pub(crate) fn xs(text: &str, dialect: Dialect) -> Vec<f64> {
+    ends(text, dialect).iter().map(|end| (end[0] * 1e6).round() / 1e6).collect()
+}
+
+/// The codes of what is found.
+pub(crate) fn codes(text: &str, dialect: Dialect) -> Vec<&'static str> {
+    let read = interpret(&Program::parse(text, dialect), Rules::default());
+    read.diagnostics.iter().map(|diagnostic| diagnostic.code).collect()
+}
+
 pub(crate) fn contours(read: &Interpretation) -> Vec<&ProgrammedContour> {
     fn contour(item: &Item) -> Option<&ProgrammedContour> {
         if let Item::Contour(found) = item { Some(found) } else { None }

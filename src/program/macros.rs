@@ -1,0 +1,176 @@
+//! FANUC's calls: M98 and M99 of subprograms, G65 of macros with arguments.
+
+use super::block::Word;
+use super::number::whole;
+use super::outline::{Outline, Step};
+use super::parameters::{LOCALS, Locals, UNSET};
+use super::run::{Place, Runner};
+
+/// The parameters that a macro has for itself: #1 to #33.
+const ARGUMENTS: usize = 33;
+
+/// Letters of arguments and the parameters that they set; G, L, N, O and P have other meanings.
+const LETTERS: [(char, usize); 21] = [
+    ('A', 1),
+    ('B', 2),
+    ('C', 3),
+    ('I', 4),
+    ('J', 5),
+    ('K', 6),
+    ('D', 7),
+    ('E', 8),
+    ('F', 9),
+    ('H', 11),
+    ('M', 13),
+    ('Q', 17),
+    ('R', 18),
+    ('S', 19),
+    ('T', 20),
+    ('U', 21),
+    ('V', 22),
+    ('W', 23),
+    ('X', 24),
+    ('Y', 25),
+    ('Z', 26),
+];
+
+/// In the old form of up to four digits, what stands before them tells how often.
+const OLD_FORM: u32 = 10_000;
+
+/// A word that calls or returns.
+#[derive(Debug)]
+pub(super) enum Call {
+    /// M98 and, with arguments, G65.
+    Program { number: Option<u32>, times: Option<u32>, arguments: Option<Box<Locals>>, column: u32 },
+    /// M99, to a block of the caller if it says so.
+    Return { to: Option<Word> },
+}
+
+impl Runner {
+    /// Takes the call or return with its words out of the block.
+    pub(super) fn take_call(&mut self) -> Option<Call> {
+        let words = &mut self.block.words;
+        let is_call = |w: &Word| match w.letter {
+            'G' => w.value == 65.0,
+            'M' => w.value == 98.0 || w.value == 99.0,
+            _ => false,
+        };
+        let index = words.iter().position(is_call)?;
+        let word = *words.get(index)?;
+        let mut arguments = None;
+        let mut taken = |letter: char| {
+            let index = words.iter().position(|word| word.letter == letter)?;
+            Some(words.remove(index))
+        };
+        if word.value == 99.0 {
+            let to = taken('P');
+            taken('L');
+            self.block.words.retain(|word| !is_call(word));
+            return Some(Call::Return { to });
+        }
+        let number = taken('P').and_then(|word| whole(word.value));
+        let times = taken('L').and_then(|word| whole(word.value));
+        if word.letter == 'G' {
+            let index = self.block.words.iter().position(is_call)?;
+            arguments = Some(self.arguments(index + 1));
+            self.block.words.truncate(index);
+        } else {
+            self.block.words.retain(|word| !is_call(word));
+        }
+        Some(Call::Program { number, times, arguments, column: word.column })
+    }
+
+    /// The parameters that the words from `first` on set. I, J and K may come several times; each
+    /// group of them sets the next three.
+    fn arguments(&mut self, first: usize) -> Box<Locals> {
+        let mut locals = Box::new([UNSET; LOCALS]);
+        let (mut group, mut last) = (0, 0);
+        for word in self.block.words.get(first..).unwrap_or_default() {
+            let Some((_, number)) = LETTERS.iter().find(|(letter, _)| *letter == word.letter)
+            else {
+                let message = format!("the word {} is no argument of a macro", word.letter);
+                let origin = self.block.origin_at(word.column);
+                let hint = "it is left out";
+                self.interpreter.report.error("word-not-understood", message, origin, hint);
+                continue;
+            };
+            let mut number = *number;
+            if matches!(word.letter, 'I' | 'J' | 'K') {
+                group += usize::from(number <= last) * 3;
+                last = number;
+                number += group;
+            }
+            if let Some(local) = locals.get_mut(number) {
+                *local = word.value;
+            }
+        }
+        locals
+    }
+
+    /// Calls a subprogram, or returns from one.
+    pub(super) fn call(&mut self, outline: &Outline, call: &Call) {
+        match call {
+            Call::Program { number, times, arguments, column } => {
+                let arguments = arguments.as_deref().map(|locals| (locals, ARGUMENTS));
+                let Some((start, times)) = self.find_program(outline, *number, *times) else {
+                    let origin = self.block.origin_at(*column);
+                    let message = match number {
+                        Some(number) => format!("the subprogram O{number} is not in the text"),
+                        None => String::from("the call has no P with a number"),
+                    };
+                    let hint = "the call is left out; put the subprogram into the text";
+                    self.interpreter.error("missing-subprogram", message, origin, hint);
+                    return;
+                };
+                if times > 0 {
+                    self.enter(start, times, arguments, false);
+                }
+            }
+            Call::Return { to } => {
+                if self.frames.is_empty() {
+                    if to.is_none() {
+                        // In the main program it starts again from the beginning, without end.
+                        let hint = "the program is run once";
+                        let origin = self.block.origin();
+                        let message = "M99 repeats the program without end";
+                        self.interpreter.report.warning("endless-program", message, origin, hint);
+                        self.end(true);
+                    }
+                } else {
+                    if to.is_some()
+                        && let Some(frame) = self.frames.last_mut()
+                    {
+                        frame.further = 0;
+                    }
+                    self.leave();
+                }
+                if let Some(word) = to {
+                    self.go_to(outline, word.value, word.column);
+                }
+            }
+        }
+    }
+
+    /// The first block of a program, and how often it is to be run: P and L, or the number's digits
+    /// before the last four.
+    fn find_program(
+        &mut self,
+        outline: &Outline,
+        number: Option<u32>,
+        times: Option<u32>,
+    ) -> Option<(Place, u32)> {
+        let mut number = number?;
+        let mut times = times.unwrap_or(1);
+        let (mut found, mut looked_at) = outline.find(Step::Program, &number.to_string());
+        if found.is_none() && number >= OLD_FORM {
+            (number, times) = (number % OLD_FORM, number / OLD_FORM);
+            let further;
+            (found, further) = outline.find(Step::Program, &number.to_string());
+            looked_at += further;
+        }
+        self.count_labels(looked_at);
+        let index = found?;
+        let mark = outline.marks.get(index)?;
+        Some((Place { at: mark.at, line: mark.line, mark: index }, times))
+    }
+}
