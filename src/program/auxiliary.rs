@@ -207,11 +207,12 @@ impl Interpreter {
         words: &mut Words,
         auxiliary: &mut Auxiliary,
     ) {
-        let letters = match self.dialect {
-            Dialect::Sinumerik => ['F', 'P', 'X'],
-            _ => ['P', 'X', 'U'],
+        // Firmware for printers takes seconds beside S.
+        let letters: &[char] = match self.dialect {
+            Dialect::Sinumerik => &['F', 'P', 'X'],
+            _ => &['P', 'X', 'U', 'S'],
         };
-        let time = letters.into_iter().find_map(|letter| words.take(letter));
+        let time = letters.iter().find_map(|&letter| words.take(letter));
         let Some(time) = time.filter(|time| time.value >= 0.0) else {
             let at = block.origin_at(dwell.column);
             self.error("bad-dwell", "the dwell (G04) has no time", at, "add P in seconds");
