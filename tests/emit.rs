@@ -381,7 +381,7 @@ fn a_helix_climbs_evenly_even_when_it_is_split() {
         feed_move(MoveCurve::Arc(nearly), [0.0, -3.0]),
     ];
     let text = write(&ToolPath { moves, ..ToolPath::default() }).text;
-    assert_eq!(blocks(&text), ["G1 X10 Y0 F600", "G3 X-10 Z-1.5 I-10", "X10 Z-3 I10"], "{text}");
+    assert_eq!(blocks(&text), ["G1 X10 F600", "G3 X-10 Z-1.5 I-10", "X10 Z-3 I10"], "{text}");
 }
 
 #[test]

@@ -134,6 +134,8 @@ impl Interpreter {
         }
         for (index, found) in block.words.iter().enumerate() {
             match found.letter {
+                // The time of a dwell.
+                'S' if words.is_used(index) => continue,
                 'S' => {
                     self.modal.feed.set_speed(found.value);
                     let feet = self.modal.inches && self.modal.feed.is_surface_speed();

@@ -12,6 +12,16 @@ const NUMBERS: [u32; 2] = [10, 9990];
 /// The letters of the axes, and those of the way from an arc's start to its centre along them.
 const AXES: [[char; 2]; 3] = [['X', 'I'], ['Y', 'J'], ['Z', 'K']];
 
+/// What became of words.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Written {
+    /// There were none.
+    Nothing,
+    All,
+    /// Some of them were left out.
+    LeftOut,
+}
+
 /// A program as it is written, with the modes of the control that will read it.
 #[derive(Debug)]
 pub(super) struct BlockWriter {
@@ -21,8 +31,10 @@ pub(super) struct BlockWriter {
     pub(super) scale: f64,
     /// Where the control is, in units of the last decimal.
     pub(super) at: [i64; 3],
-    /// Which coordinates were written since they could be anything.
+    /// Which coordinates a block in their plane need not say where they stay as they are.
     known: [bool; 3],
+    /// Which coordinates were written since they could be anything.
+    written: [bool; 3],
     /// Which coordinates the next block that moves says in any case.
     states: [bool; 3],
     /// The motion word in effect.
@@ -45,7 +57,8 @@ impl BlockWriter {
             // At most 4 decimals.
             scale: power_of_ten(facts.decimals),
             at: [0; 3],
-            known: [false; 3],
+            known: [true; 3],
+            written: [false; 3],
             states: [false; 3],
             motion: None,
             plane: Plane::Xy,
@@ -91,11 +104,22 @@ impl BlockWriter {
         self.known = [false; 3];
     }
 
-    /// Takes the coordinates as words have left them.
-    pub(super) fn reset(&mut self, reset: Reset) {
-        self.at = self.place(reset.at);
-        self.known = [true; 3];
-        self.states = reset.states;
+    /// Takes the coordinates as words have left them, which were written, left out, or none.
+    pub(super) fn reset(&mut self, reset: Reset, words: Written) {
+        if words != Written::LeftOut {
+            self.at = self.place(reset.at);
+        }
+        if words == Written::All {
+            self.written = [false; 3];
+        }
+        for i in 0..3 {
+            self.states[i] = reset.states[i] && !self.written[i];
+        }
+    }
+
+    /// The words that were written last say where the control is: at zero.
+    pub(super) fn at_zero(&mut self) {
+        self.written = [true; 3];
     }
 
     /// Makes the next block that moves say how.
@@ -155,14 +179,17 @@ impl BlockWriter {
         let mut says = [false; 3];
         for (i, axis) in axes.into_iter().enumerate() {
             if let Some(value) = axis {
-                self.at[i] = self.units(value);
-                says[i] = true;
+                let value = self.units(value);
+                says[i] = !self.written[i] || self.at[i] != value;
+                self.at[i] = value;
             }
         }
         if let Some(feed) = feed {
             self.feed[1] = Some(self.feed_units(feed));
         }
-        self.block(motion, self.at, says, &[]);
+        if says != [false; 3] {
+            self.block(motion, self.at, says, &[]);
+        }
     }
 
     pub(super) fn rapid(&mut self, to: [i64; 3], plane: Plane) {
@@ -232,6 +259,7 @@ impl BlockWriter {
             if says[i] || stated[i] {
                 self.length(AXES[i][0], to[i]);
                 self.known[i] = true;
+                self.written[i] = true;
             }
         }
         for &(letter, value) in offsets {

@@ -201,18 +201,19 @@ impl Emitter {
             // It stands at the head of the program.
             text = text.split_once(')').map_or("", |(_, rest)| rest);
         }
-        let complete = self.passing.pass(&mut self.out, text, words.origin);
+        let written = self.passing.pass(&mut self.out, text, words.origin);
         if let Some(reset) = words.reset {
             self.at = reset.at;
-            if complete {
-                self.out.reset(reset);
-            }
+            self.out.reset(reset, written);
         }
     }
 
     /// The coordinate system of a program that names none.
     fn frame(&mut self, frame: &str) {
         self.out.words(frame);
+        if frame.starts_with("G92") {
+            self.out.at_zero();
+        }
         let message = format!("{frame} stands at the head: the program names no coordinate system");
         let hint = "set it to the program's zero, or where G92 does, begin with the tool there";
         self.diagnostics.push(Diagnostic::info("frame-added", message).with_hint(hint));
@@ -296,16 +297,17 @@ impl Emitter {
     /// The curve of a move as straight lines, up to before its end.
     fn chords(&mut self, next: &Move) {
         let [z0, z1] = next.heights;
-        let total = next.curve.length();
+        // Each with the length of the chords up to it.
         let mut points = Vec::new();
-        next.curve.flatten(self.tolerance, &mut |point| points.push(point));
-        points.pop();
-        let mut from = next.curve.start();
-        let mut run = 0.0;
-        for point in points {
-            run += from.distance(point);
+        let (mut from, mut total) = (next.curve.start(), 0.0);
+        next.curve.flatten(self.tolerance, &mut |point| {
+            total += from.distance(point);
             from = point;
-            self.straight(next, point, z0 + (z1 - z0) * (run / total).min(1.0));
+            points.push((point, total));
+        });
+        points.pop();
+        for (point, run) in points {
+            self.straight(next, point, z0 + (z1 - z0) * (run / total));
         }
     }
 

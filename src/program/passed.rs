@@ -1,7 +1,7 @@
 //! Words that move nothing, written for a target: as they are where it knows them, as what it
 //! knows instead, or left out with a diagnostic, never silently.
 
-use super::block_writer::{BlockWriter, comment, push_length};
+use super::block_writer::{BlockWriter, Written, comment, push_length};
 use super::number::{push_word, whole};
 use super::target::Comments;
 use crate::diagnostic::{Diagnostic, Origin};
@@ -21,6 +21,10 @@ enum Token<'a> {
 }
 
 impl<'a> Token<'a> {
+    fn is(&self, letter: char, number: f64) -> bool {
+        matches!(self, Self::Word(found, value) if *found == letter && *value == number)
+    }
+
     fn comment(&self) -> Option<&'a str> {
         match self {
             Self::Comment(text) => Some(text),
@@ -44,8 +48,8 @@ pub(super) struct Passing {
 }
 
 impl Passing {
-    /// Writes words; tells whether none of them was left out.
-    pub(super) fn pass(&mut self, out: &mut BlockWriter, text: &str, origin: Origin) -> bool {
+    /// Writes words; tells what became of them.
+    pub(super) fn pass(&mut self, out: &mut BlockWriter, text: &str, origin: Origin) -> Written {
         self.complete = true;
         let tokens = tokens(text);
         let mut line = String::new();
@@ -118,7 +122,17 @@ impl Passing {
                         self.left_out('T', value, origin);
                     }
                 }
-                'S' if out.facts.single => self.speed(&mut line, value, out),
+                'S' if out.facts.single => {
+                    // Said together with M3 or M4.
+                    let turns = |token: &Token| token.is('M', 3.0) || token.is('M', 4.0);
+                    self.spindle[1] = Some(value);
+                    if let Some(turning) = self.spindle[0]
+                        && !tokens[i..].iter().any(turns)
+                    {
+                        push_command(&mut line, 'M', turning, &[], out);
+                        push_command(&mut line, 'S', value, &[], out);
+                    }
+                }
                 'S' => push_command(&mut line, 'S', value, &[], out),
                 _ => self.left_out(letter, value, origin),
             }
@@ -128,7 +142,11 @@ impl Passing {
             }
         }
         finish(out, line, if says { &comments } else { &[] });
-        self.complete
+        match (tokens.is_empty(), self.complete) {
+            (true, _) => Written::Nothing,
+            (false, true) => Written::All,
+            (false, false) => Written::LeftOut,
+        }
     }
 
     /// A G word that is no motion.
@@ -137,7 +155,7 @@ impl Passing {
         line: &mut String,
         value: f64,
         parameters: &[Token],
-        out: &mut BlockWriter,
+        out: &BlockWriter,
         origin: Origin,
     ) {
         let number = tenths(value);
@@ -152,10 +170,6 @@ impl Passing {
             // The value of G64 P is LinuxCNC's own.
             let alone = number == 640 && out.facts.tape;
             push_command(line, 'G', value, if alone { &[] } else { parameters }, out);
-        }
-        if known && matches!(number, 540..=593 | 920) {
-            // The same numbers are another place now.
-            out.forget_place();
         }
     }
 
@@ -202,15 +216,6 @@ impl Passing {
         let message =
             format!("{pause} waits for the change to tool {tool}: the target knows no M6");
         self.tell(Diagnostic::info("tool-change", message).with_origin(origin));
-    }
-
-    /// A speed where it must stand beside M3 or M4.
-    fn speed(&mut self, line: &mut String, value: f64, out: &BlockWriter) {
-        self.spindle[1] = Some(value);
-        if let Some(turning) = self.spindle[0] {
-            push_command(line, 'M', turning, &[], out);
-            push_command(line, 'S', value, &[], out);
-        }
     }
 
     /// Says that a word is left out, once.

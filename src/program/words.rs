@@ -27,6 +27,11 @@ impl<'a> Words<'a> {
         self.used |= 1 << index;
     }
 
+    /// Whether word `index` was used up.
+    pub(super) fn is_used(&self, index: usize) -> bool {
+        self.used >> index & 1 == 1
+    }
+
     /// The unused word with `letter`, without using it up.
     pub(super) fn find(&self, letter: char) -> Option<&'a Word> {
         self.unused().map(|(_, word)| word).find(|word| word.letter == letter)
