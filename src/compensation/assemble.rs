@@ -327,6 +327,15 @@ impl Assembly<'_> {
             self.add_type_points(builder, i, [start, end], trace);
             return;
         }
+        if let (Curve::Spline(_), SplineMethod::TypePoints) =
+            (&run.segment.curve, self.options.spline)
+        {
+            builder.path.diagnostics.push(
+                Diagnostic::info("no-type-points", "the spline has no type points to move")
+                    .with_origin(attributes.origin)
+                    .with_hint("its offset is exact"),
+            );
+        }
         let whole = run.is_whole(start, end);
         let (cut, backwards) = if whole { (Vec::new(), false) } else { run.between(start, end) };
         let moves = if whole { &run.pieces } else { &cut };

@@ -44,7 +44,10 @@ impl<'a> Run<'a> {
                 ArcOffset::Arc(arc) | ArcOffset::Reversed(arc, _) => vec![MoveCurve::Arc(arc)],
                 ArcOffset::Point => Vec::new(),
             },
-            Curve::Spline(spline) if options.spline == SplineMethod::TypePoints => {
+            // One of given cubics has no type points to move.
+            Curve::Spline(spline)
+                if options.spline == SplineMethod::TypePoints && spline.is_through_points() =>
+            {
                 let legs = Polygon::new(spline, tool);
                 tangents = legs.tangents();
                 curvatures = [0.0, 0.0];

@@ -9,8 +9,8 @@ use glam::DVec2;
 use super::{Attributes, Contour, Event, EventKind, Lead, Segment};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{
-    Arc, Curve, CurveError, Decimal, EndCondition, Line, MIN_LENGTH, Parameter, RadiusForm, Spline,
-    SplineEnds, in_range,
+    Arc, Cubic, Curve, CurveError, Decimal, EndCondition, Line, MIN_LENGTH, Parameter, RadiusForm,
+    Spline, SplineEnds, in_range,
 };
 
 /// How much an arc's two radii may differ [mm], unless it is by less than
@@ -51,6 +51,12 @@ pub enum Shape {
     },
     /// A spline through type points.
     Spline(SplineShape),
+    /// Cubic Bézier curves, each from the end of the one before. Where they turn a corner they are
+    /// segments of their own.
+    Bezier {
+        /// Of each curve both inner control points and its end [mm].
+        controls: Vec<DVec2>,
+    },
 }
 
 /// A spline as described.
@@ -76,7 +82,9 @@ impl Shape {
     pub fn end(&self) -> Option<DVec2> {
         match self {
             Self::Line { to } | Self::Arc { to, .. } | Self::ArcByRadius { to, .. } => Some(*to),
-            Self::Spline(spline) => spline.points.last().copied(),
+            Self::Spline(SplineShape { points, .. }) | Self::Bezier { controls: points } => {
+                points.last().copied()
+            }
         }
     }
 }
@@ -191,8 +199,15 @@ impl ContourBuilder {
         let mut index_after = Vec::with_capacity(slots.len() + 1);
         for (slot, (_, attributes)) in slots.into_iter().zip(&self.described) {
             index_after.push(segments.len());
-            if let Slot::Made(curve) = slot {
-                segments.push(Segment { curve, attributes: *attributes });
+            match slot {
+                Slot::Made(curve) => segments.push(Segment { curve, attributes: *attributes }),
+                Slot::Chain(splines) => {
+                    for spline in splines {
+                        let curve = Curve::Spline(spline);
+                        segments.push(Segment { curve, attributes: *attributes });
+                    }
+                }
+                Slot::Spline { .. } | Slot::LeftOut => {}
             }
         }
         index_after.push(segments.len());
@@ -263,6 +278,14 @@ impl ContourBuilder {
                     from = last_in_range(&spline.points).unwrap_or(from);
                     continue;
                 }
+                Shape::Bezier { controls } => match chain(from, controls) {
+                    Ok(splines) => {
+                        from = controls[controls.len() - 1];
+                        slots.push(Slot::Chain(splines));
+                        continue;
+                    }
+                    Err(error) => Err(error),
+                },
             };
             let slot = match made {
                 Ok(curve) => Slot::Made(curve),
@@ -338,10 +361,29 @@ impl ContourBuilder {
 enum Slot {
     /// It is this curve.
     Made(Curve),
+    /// It is these splines, one after the other.
+    Chain(Vec<Spline>),
     /// It is a spline from this point, to be made once its neighbours are.
     Spline { from: DVec2 },
     /// It has no length, so there is no segment.
     LeftOut,
+}
+
+/// The splines that cubic Bézier curves from a point make.
+fn chain(mut from: DVec2, controls: &[DVec2]) -> Result<Vec<Spline>, CurveError> {
+    if !controls.len().is_multiple_of(3) || controls.is_empty() {
+        let count = controls.len();
+        return Err(CurveError::TooFewPoints { count, least: (count / 3 + 1) * 3 });
+    }
+    if let Some(&point) = controls.iter().find(|&&point| !in_range(point)) {
+        return Err(CurveError::OutOfRange { point });
+    }
+    let mut cubics = Vec::with_capacity(controls.len() / 3);
+    for control in controls.chunks_exact(3) {
+        cubics.push(Cubic::new(from, control[0], control[1], control[2]));
+        from = control[2];
+    }
+    Spline::of_cubics(&cubics)
 }
 
 /// A straight line in the place of a segment that cannot be made, where it has a length.

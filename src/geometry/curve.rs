@@ -46,7 +46,8 @@ pub enum CurveError {
     },
     /// A full circle cannot be given by its radius: its centre could be anywhere.
     FullCircleByRadius,
-    /// A spline has too few type points for its end conditions.
+    /// A spline has too few type points for its end conditions, or Bézier curves a control point too
+    /// few.
     TooFewPoints {
         /// How many there are.
         count: usize,
@@ -87,7 +88,7 @@ impl fmt::Display for CurveError {
                 write!(f, "an arc given by its radius cannot end where it starts")
             }
             Self::TooFewPoints { count, least } => {
-                write!(f, "the spline has {count} type points and needs {least}")
+                write!(f, "the spline has {count} points and needs {least}")
             }
             Self::CoincidentPoints { index } => {
                 write!(f, "type points {} and {index} of the spline coincide", index - 1)
@@ -122,7 +123,7 @@ pub enum Curve {
     Line(Line),
     /// A circular arc.
     Arc(Arc),
-    /// A cubic spline through type points.
+    /// A cubic spline.
     Spline(Spline),
 }
 

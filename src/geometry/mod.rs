@@ -4,6 +4,7 @@
 //! parameter `t` in `[0, 1]`; the left normal of a tangent `T` is `perp(T) = (-Ty, Tx)`, and
 //! curvature is positive where the curve turns left.
 
+mod akima;
 mod arc;
 mod arc_fit;
 mod arc_proof;
@@ -18,13 +19,16 @@ pub mod intersect;
 mod length;
 mod line;
 mod nearest;
+mod nurbs;
 mod sine;
 mod sort;
 mod spline;
 mod spline_edit;
+mod spline_rows;
 mod tridiagonal;
 mod vector;
 
+pub use akima::akima;
 pub use arc::{Arc, RadiusForm};
 pub use arc_fit::{ArcOrLine, fit_arcs};
 pub use bernstein::{halve, roots};
@@ -36,6 +40,7 @@ pub use flatten::{flatten_arc, flatten_cubic};
 pub use golden::least;
 pub use line::Line;
 pub use nearest::Nearest;
+pub use nurbs::{Nurbs, NurbsError};
 pub use sine::sin_cos;
 pub use sort::{select, sort_long, sort_short};
 pub use spline::{EndCondition, Parameter, Spline, SplineEnds};

@@ -1,11 +1,12 @@
-//! The C2 cubic spline through type points.
+//! Cubic splines: the C2 one through type points, and chains of cubics given as they are.
 
 use glam::DVec2;
 
 use super::{
     Bounds, Cubic, CurveError, MIN_LENGTH, Nearest,
     curve::checked_point,
-    tridiagonal::{Row, solve, solve_cyclic},
+    spline_rows::{open_derivatives, periodic_derivatives, spans_of},
+    turn,
 };
 
 /// How an open spline ends.
@@ -15,6 +16,9 @@ pub enum EndCondition {
     Natural,
     /// Tangent along the given direction, of any length but zero.
     Tangent(DVec2),
+    /// The two spans at the end are one cubic (not-a-knot); of fewer than three spans, the one at
+    /// the end is a parabola.
+    NotAKnot,
 }
 
 /// Both ends of a spline.
@@ -60,22 +64,34 @@ impl Parameter {
 /// knots is made of rounding. Of a spline of a metre that is less than [`MIN_LENGTH`].
 pub(super) const LEAST_INTERVAL: f64 = 1e-13;
 
-/// The C2 cubic spline through type points.
+/// Largest turn between two cubics of one spline [rad]: rounding of the coordinates that cubics are
+/// given by. What turns more is a corner between two splines.
+const SMOOTH: f64 = 1e-10;
+
+/// A cubic spline: the C2 one through type points, or cubics given as they are.
 ///
 /// # Guarantees
-/// All type points are finite and at most 1e9 mm, successive
-/// ones at least [`MIN_LENGTH`] and 1e-13 of the curve apart. There are at least two spans, or one with a tangent given
-/// at an end. There is one cubic for each span, and they join with equal first and second
-/// derivative by the spline's parameter. A periodic spline repeats its first type point as its
-/// last.
+/// All points are finite and at most 1e9 mm. There is one cubic for each span between successive
+/// points, and the cubics join with one tangent.
+///
+/// Through type points: successive ones are at least [`MIN_LENGTH`] and 1e-13 of the curve apart.
+/// There are at least two spans, or one with a tangent given at an end. The cubics join with equal
+/// first and second derivative by the spline's parameter. A periodic spline repeats its first type
+/// point as its last.
+///
+/// Of given cubics: the control polygon of each is at least [`MIN_LENGTH`] and 1e-13 of all long.
+/// Curvature may jump where they join.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Spline {
+    /// Where the spans join, start and end among them.
     points: Vec<DVec2>,
     /// Parameter value of each type point, from 0 ascending.
     knots: Vec<f64>,
     pieces: Vec<Cubic>,
     ends: SplineEnds,
     parameter: Parameter,
+    /// Whether it is the C2 spline through its points, as `ends` and `parameter` tell.
+    through_points: bool,
 }
 
 impl Spline {
@@ -93,8 +109,9 @@ impl Spline {
         parameter: Parameter,
     ) -> Result<Self, CurveError> {
         let least = match ends {
-            SplineEnds::Open { start: EndCondition::Natural, end: EndCondition::Natural } => 3,
-            SplineEnds::Open { .. } => 2,
+            SplineEnds::Open { start: EndCondition::Tangent(_), .. }
+            | SplineEnds::Open { end: EndCondition::Tangent(_), .. } => 2,
+            SplineEnds::Open { .. } => 3,
             SplineEnds::Periodic => 4,
         };
         if points.len() < least {
@@ -124,7 +141,48 @@ impl Spline {
             }
         };
         let (knots, pieces) = spans_of(&points, &intervals, &derivatives);
-        Ok(Self { points, knots, pieces, ends, parameter })
+        Ok(Self { points, knots, pieces, ends, parameter, through_points: true })
+    }
+
+    /// Splines of cubics that follow each other [mm], as they are: a new one begins wherever they
+    /// turn a corner.
+    ///
+    /// Each cubic is taken to start where the one before it ends. One whose control polygon has no
+    /// length is left out; one that ends where it starts is cut in half.
+    ///
+    /// # Errors
+    /// [`CurveError::OutOfRange`], or [`CurveError::ZeroLength`] where nothing is left.
+    pub fn of_cubics(cubics: &[Cubic]) -> Result<Vec<Self>, CurveError> {
+        let mut total = 0.0;
+        for cubic in cubics {
+            for point in cubic.points {
+                checked_point(point)?;
+            }
+            total += cubic.hull_length();
+        }
+        let least = MIN_LENGTH.max(LEAST_INTERVAL * total);
+        let mut splines: Vec<Self> = Vec::new();
+        let mut at = None;
+        for cubic in cubics {
+            if cubic.hull_length() < least {
+                continue;
+            }
+            let mut cubic = *cubic;
+            cubic.points[0] = at.unwrap_or(cubic.start());
+            at = Some(cubic.end());
+            if cubic.start().distance(cubic.end()) < least {
+                let (first, second) = cubic.split(0.5);
+                append(&mut splines, first);
+                append(&mut splines, second);
+            } else {
+                append(&mut splines, cubic);
+            }
+        }
+        for spline in &mut splines {
+            let [start, end] = [0.0, 1.0].map(|t| EndCondition::Tangent(spline.tangent(t)));
+            spline.ends = SplineEnds::Open { start, end };
+        }
+        if splines.is_empty() { Err(CurveError::ZeroLength) } else { Ok(splines) }
     }
 
     /// The spline of some spans, given by their points, parameter intervals and derivatives there,
@@ -140,22 +198,28 @@ impl Spline {
             start: EndCondition::Tangent(derivatives[0]),
             end: EndCondition::Tangent(derivatives[intervals.len()]),
         };
-        Self { points: points.to_vec(), knots, pieces, ends, parameter }
+        Self { points: points.to_vec(), knots, pieces, ends, parameter, through_points: true }
     }
 
-    /// The type points [mm], start and end among them.
+    /// Whether it is a spline through its points, and not one of cubics given as they are.
+    #[must_use]
+    pub fn is_through_points(&self) -> bool {
+        self.through_points
+    }
+
+    /// The type points, or where given cubics join, start and end among them [mm].
     #[must_use]
     pub fn points(&self) -> &[DVec2] {
         &self.points
     }
 
-    /// The cubics between successive type points.
+    /// The cubics between successive points.
     #[must_use]
     pub fn pieces(&self) -> &[Cubic] {
         &self.pieces
     }
 
-    /// How it ends.
+    /// How it ends; one of given cubics with its own tangents.
     #[must_use]
     pub fn ends(&self) -> SplineEnds {
         self.ends
@@ -173,13 +237,13 @@ impl Spline {
         self.ends == SplineEnds::Periodic
     }
 
-    /// The first type point [mm].
+    /// Its first point [mm].
     #[must_use]
     pub fn start(&self) -> DVec2 {
         self.points[0]
     }
 
-    /// The last type point [mm].
+    /// Its last point [mm].
     #[must_use]
     pub fn end(&self) -> DVec2 {
         self.points[self.points.len() - 1]
@@ -273,7 +337,7 @@ impl Spline {
     #[must_use]
     pub fn reversed(&self) -> Self {
         let flip = |end| match end {
-            EndCondition::Natural => EndCondition::Natural,
+            EndCondition::Natural | EndCondition::NotAKnot => end,
             EndCondition::Tangent(tangent) => EndCondition::Tangent(-tangent),
         };
         let total = self.knots[self.knots.len() - 1];
@@ -287,7 +351,7 @@ impl Spline {
                 }
                 SplineEnds::Periodic => SplineEnds::Periodic,
             },
-            parameter: self.parameter,
+            ..*self
         }
     }
 
@@ -326,7 +390,7 @@ impl Spline {
             knots: self.knots[..before].to_vec(),
             pieces: self.pieces[..span].to_vec(),
             ends: SplineEnds::Open { start, end: cut },
-            parameter: self.parameter,
+            ..*self
         };
         first.points.push(middle);
         first.knots.push(knot);
@@ -339,7 +403,7 @@ impl Spline {
             knots: vec![0.0],
             pieces: Vec::new(),
             ends: SplineEnds::Open { start: cut, end },
-            parameter: self.parameter,
+            ..*self
         };
         if !on_end {
             second.pieces.push(right);
@@ -351,88 +415,24 @@ impl Spline {
     }
 }
 
-/// Parameter values of the type points, and the cubics between them.
-fn spans_of(points: &[DVec2], intervals: &[f64], derivatives: &[DVec2]) -> (Vec<f64>, Vec<Cubic>) {
-    let mut knots = Vec::with_capacity(points.len());
-    let mut pieces = Vec::with_capacity(intervals.len());
-    knots.push(0.0);
-    for (i, &h) in intervals.iter().enumerate() {
-        knots.push(knots[i] + h);
-        let (d0, d1) = (derivatives[i] * h, derivatives[i + 1] * h);
-        pieces.push(Cubic::hermite(points[i], d0, points[i + 1], d1));
+/// Appends a cubic to the last of some splines, or to a new one where it turns a corner.
+fn append(splines: &mut Vec<Spline>, cubic: Cubic) {
+    let interval = cubic.hull_length();
+    if let Some(last) = splines.last_mut() {
+        let before = last.pieces[last.pieces.len() - 1].tangent(1.0);
+        if turn(before, cubic.tangent(0.0)).abs() <= SMOOTH {
+            last.points.push(cubic.end());
+            last.knots.push(last.knots[last.pieces.len()] + interval);
+            last.pieces.push(cubic);
+            return;
+        }
     }
-    (knots, pieces)
-}
-
-/// The row that makes the second derivative continuous at a type point with the span `before`
-/// behind and the span `after` ahead of it (de Boor, A Practical Guide to Splines, ch. IV).
-pub(super) fn continuity_row(before: (DVec2, f64), after: (DVec2, f64)) -> Row {
-    let ((chord0, h0), (chord1, h1)) = (before, after);
-    Row {
-        lower: h1,
-        diagonal: 2.0 * (h0 + h1),
-        upper: h0,
-        right: (chord0 * (h1 / h0) + chord1 * (h0 / h1)) * 3.0,
-    }
-}
-
-/// Chord and parameter interval of span `i`.
-fn span(points: &[DVec2], intervals: &[f64], i: usize) -> (DVec2, f64) {
-    (points[i + 1] - points[i], intervals[i])
-}
-
-/// Derivatives at the type points of an open spline.
-fn open_derivatives(
-    points: &[DVec2],
-    intervals: &[f64],
-    start: EndCondition,
-    end: EndCondition,
-) -> Vec<DVec2> {
-    let last = points.len() - 1;
-    let mut rows = Vec::with_capacity(points.len());
-    for i in 0..=last {
-        rows.push(if i == 0 {
-            let (chord, h) = span(points, intervals, 0);
-            end_row(start, chord, h, false)
-        } else if i == last {
-            let (chord, h) = span(points, intervals, last - 1);
-            end_row(end, chord, h, true)
-        } else {
-            continuity_row(span(points, intervals, i - 1), span(points, intervals, i))
-        });
-    }
-    solve(&rows)
-}
-
-/// The row of an end's condition.
-pub(super) fn end_row(condition: EndCondition, chord: DVec2, h: f64, at_end: bool) -> Row {
-    match condition {
-        EndCondition::Natural => Row {
-            lower: if at_end { 1.0 } else { 0.0 },
-            diagonal: 2.0,
-            upper: if at_end { 0.0 } else { 1.0 },
-            right: chord * (3.0 / h),
-        },
-        // The speed of the chord: the given direction bends the curve, its length does not.
-        EndCondition::Tangent(tangent) => Row {
-            lower: 0.0,
-            diagonal: 1.0,
-            upper: 0.0,
-            right: tangent.normalize_or(chord.normalize()) * (chord.length() / h),
-        },
-    }
-}
-
-/// Derivatives at the type points of a periodic spline, the first repeated as the last.
-fn periodic_derivatives(points: &[DVec2], intervals: &[f64]) -> Vec<DVec2> {
-    let spans = points.len() - 1;
-    let rows: Vec<Row> = (0..spans)
-        .map(|i| {
-            let before = if i == 0 { spans - 1 } else { i - 1 };
-            continuity_row(span(points, intervals, before), span(points, intervals, i))
-        })
-        .collect();
-    let mut derivatives = solve_cyclic(&rows);
-    derivatives.push(derivatives[0]);
-    derivatives
+    splines.push(Spline {
+        points: vec![cubic.start(), cubic.end()],
+        knots: vec![0.0, interval],
+        pieces: vec![cubic],
+        ends: SplineEnds::NATURAL,
+        parameter: Parameter::Chord,
+        through_points: false,
+    });
 }

@@ -9,7 +9,8 @@
 
 use glam::DVec2;
 
-use super::spline::{LEAST_INTERVAL, continuity_row, end_row};
+use super::spline::LEAST_INTERVAL;
+use super::spline_rows::{continuity_row, end_row};
 use super::tridiagonal::{Row, solve, solve_cyclic};
 use super::{Cubic, CurveError, MIN_LENGTH, Parameter, Spline, SplineEnds};
 
@@ -207,12 +208,10 @@ impl SplineEdit {
         let span = |i: usize| (self.points[i + 1] - self.points[i], self.intervals[i]);
         match self.ends {
             SplineEnds::Open { start, .. } if i == 0 => {
-                let (chord, h) = span(0);
-                end_row(start, chord, h, false)
+                end_row(start, span(0), (self.spans() > 2).then(|| span(1)), false)
             }
             SplineEnds::Open { end, .. } if i == self.spans() => {
-                let (chord, h) = span(i - 1);
-                end_row(end, chord, h, true)
+                end_row(end, span(i - 1), (self.spans() > 2).then(|| span(i - 2)), true)
             }
             SplineEnds::Open { .. } => continuity_row(span(i - 1), span(i)),
             SplineEnds::Periodic => {

@@ -85,7 +85,7 @@ pub(super) fn read_contours(records: &[f64]) -> Result<(Vec<Described>, Numberin
         } else if kind == 7.0 {
             contour.radius = Some(reader.number()?);
         } else {
-            return Err(bad(start_of_record, "be the kind of a record, from 0 to 7"));
+            return Err(bad(start_of_record, "be the kind of a record, from 0 to 8"));
         }
     }
     Ok((contours, Numbering::of(firsts)))
@@ -127,6 +127,8 @@ impl Reader<'_> {
             Shape::Arc { to, center, clockwise: self.truth()? }
         } else if kind == 3.0 {
             Shape::Spline(self.spline()?)
+        } else if kind == 8.0 {
+            Shape::Bezier { controls: self.points()? }
         } else {
             return Ok(None);
         }))
@@ -137,8 +139,7 @@ impl Reader<'_> {
         let is = |flag| flags & flag != 0;
         let start_tangent = self.tangent(is(flag::START_TANGENT))?;
         let end_tangent = self.tangent(is(flag::END_TANGENT))?;
-        let count = self.count()?;
-        let points = (0..count).map(|_| self.point()).collect::<Result<_, _>>()?;
+        let points = self.points()?;
         let periodic = match (is(flag::PERIODIC), is(flag::NOT_PERIODIC)) {
             (true, _) => Some(true),
             (false, true) => Some(false),
@@ -181,6 +182,11 @@ impl Reader<'_> {
         } else {
             Err(bad(at, "be a sum of flags"))
         }
+    }
+
+    fn points(&mut self) -> Result<Vec<DVec2>, BadArgument> {
+        let count = self.count()?;
+        (0..count).map(|_| self.point()).collect()
     }
 
     /// A count of points that are there.
@@ -269,7 +275,8 @@ mod tests {
     fn a_wrong_number_is_named_by_its_index() {
         for (records, path) in [
             (&[&[1.0, 2.0, 3.0][..]][..], "[0]"),
-            (&[&START, &[8.0, 1.0]], "[4]"),
+            (&[&START, &[9.0, 1.0]], "[4]"),
+            (&[&START, &[8.0, 2.0, 1.0, 1.0]], "[5]"),
             (&[&START, &[1.5, 1.0, 1.0]], "[4]"),
             (&[&START, &[1.0, f64::NAN, 1.0]], "[5]"),
             (&[&START, &[1.0, 1.0, f64::INFINITY]], "[6]"),

@@ -22,6 +22,7 @@ const LEAD_IN = 4;
 const LEAD_OUT = 5;
 const SIDE = 6;
 const RADIUS = 7;
+const BEZIER = 8;
 
 const contourKeys = new Set([
   ...["start", "segments", "closed", "leadIn", "leadOut", "side", "radius"],
@@ -34,6 +35,8 @@ const arcKeys = new Set(["kind", "to", "center", "clockwise", "origin"]);
 const splineKeys = new Set([
   ...["kind", "points", "startTangent", "endTangent", "smooth", "periodic", "parameter", "origin"],
 ]);
+
+const bezierKeys = new Set(["kind", "controls", "origin"]);
 
 /** @type {readonly ("left" | "right")[]} */
 export const sides = ["left", "right"];
@@ -136,11 +139,17 @@ function packSegment(out, given, where) {
     case "spline":
       packSpline(out, object(given, splineKeys, where), where);
       break;
+    case "bezier": {
+      const { controls } = object(given, bezierKeys, where);
+      out.push(BEZIER);
+      packPoints(out, controls, () => `${where()}.controls`);
+      break;
+    }
     case "involute":
       notSupported(() => `${where()}.kind`, `"involute"`);
       break;
     default:
-      bad(() => `${where()}.kind`, `be "line", "arc" or "spline"`);
+      bad(() => `${where()}.kind`, `be "line", "arc", "spline" or "bezier"`);
   }
 }
 

@@ -43,7 +43,15 @@ fn write_segment(object: &mut Object<'_>, segment: &Segment) {
             object.point("center", arc.center());
             object.truth("clockwise", arc.is_clockwise());
         }
-        Curve::Spline(spline) => write_spline(object, spline),
+        Curve::Spline(spline) if spline.is_through_points() => write_spline(object, spline),
+        Curve::Spline(spline) => {
+            object.text("kind", "bezier");
+            let mut controls = Vec::with_capacity(3 * spline.pieces().len());
+            for cubic in spline.pieces() {
+                controls.extend_from_slice(&cubic.points[1..]);
+            }
+            object.points("controls", &controls);
+        }
     }
     let origin = segment.attributes.origin;
     object.object("origin", |inner| write_origin(inner, origin, &Numbering::plain()));
@@ -57,7 +65,8 @@ fn write_spline(object: &mut Object<'_>, spline: &Spline) {
         SplineEnds::Open { start, end } => {
             for (name, end) in [("startTangent", start), ("endTangent", end)] {
                 match end {
-                    EndCondition::Natural => {}
+                    // Such a spline is made by programs only, which state its cubics.
+                    EndCondition::Natural | EndCondition::NotAKnot => {}
                     EndCondition::Tangent(tangent) => object.point(name, tangent.normalize()),
                 }
             }

@@ -89,8 +89,18 @@ export interface SplineSegment {
   parameter?: "chord" | "centripetal";
 }
 
+/**
+ * Cubic Bézier curves, each from the end of the one before: what spline blocks of a program make
+ * that are no spline through type points. A corner between two of them is one of the contour.
+ */
+export interface BezierSegment {
+  kind: "bezier";
+  /** Of each curve both inner control points and its end; or `x0, y0, x1, y1, …`. */
+  controls: readonly Point[] | Float64Array;
+}
+
 /** One segment of a contour; it starts where the one before it ends. */
-export type Segment = LineSegment | ArcSegment | SplineSegment;
+export type Segment = LineSegment | ArcSegment | SplineSegment | BezierSegment;
 
 /** The programmed boundary of a part. */
 export interface Contour {
@@ -121,6 +131,7 @@ export interface Contour {
  * | lead-out | `5, x, y` |
  * | side | `6, right` |
  * | tool radius | `7, radius` |
+ * | Bézier curves | `8, count, x0, y0, x1, y1, …` |
  *
  * `closed`, `clockwise` and `right` are 0 or 1. `flags` is a sum of: 1 the start tangent is given, 2 the end
  * tangent is given, 4 smooth, 8 periodic, 16 not periodic, 32 centripetal; a tangent that is not

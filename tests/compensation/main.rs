@@ -12,6 +12,7 @@ mod corners;
 mod deviation;
 mod families;
 mod fuzz;
+mod given_cubics;
 mod gouges;
 mod inside_corners;
 mod judge;

@@ -93,6 +93,9 @@ impl Sketch {
                 end_tangent: spline.end_tangent.map(vector),
                 ..spline.clone()
             }),
+            Shape::Bezier { controls } => {
+                Shape::Bezier { controls: controls.iter().map(|p| map(*p)).collect() }
+            }
         };
         Self {
             start: map(self.start),
@@ -131,6 +134,12 @@ impl Sketch {
                         end_tangent: spline.start_tangent.map(|t| -t),
                         ..spline.clone()
                     })
+                }
+                Shape::Bezier { controls } => {
+                    let mut controls: Vec<DVec2> = controls.iter().rev().copied().collect();
+                    controls.remove(0);
+                    controls.push(to);
+                    Shape::Bezier { controls }
                 }
             }
         };

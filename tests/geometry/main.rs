@@ -3,13 +3,16 @@
 #[path = "../common/mod.rs"]
 mod common;
 
+mod akima;
 mod arc_fit;
 mod arcs;
 mod bounds;
+mod chains;
 mod flatten;
 mod intersections;
 mod lengths;
 mod nearest;
+mod nurbs;
 mod roots;
 mod shapes;
 mod spline_edits;

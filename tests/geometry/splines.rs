@@ -59,6 +59,7 @@ fn every_spline_passes_its_points_with_two_continuous_derivatives() {
             let [_, (d1, dd1)] = end_derivatives(&spline, spans - 1, interval(spans - 1));
             for (condition, d, dd) in [(start, d0, dd0), (end, d1, dd1)] {
                 match condition {
+                    EndCondition::NotAKnot => panic!("none is made here"),
                     EndCondition::Natural => near(dd.length(), 0.0, 1e-9 * (1.0 + d.length()), "M"),
                     EndCondition::Tangent(t) => {
                         near_point(d.normalize(), t.normalize(), 1e-10, "end tangent");

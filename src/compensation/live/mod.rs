@@ -24,8 +24,8 @@ use self::part::Pen;
 use self::slots::Slots;
 use super::policy::compensate_all;
 use super::{GougePolicy, Options, Passes, SplineMethod};
-use crate::contour::{Built, ContourBuilder, Segment, Shape, Tool, ToolPath};
-use crate::geometry::MIN_LENGTH;
+use crate::contour::{Built, ContourBuilder, Segment, Shape, SplineShape, Tool, ToolPath};
+use crate::geometry::{Curve, MIN_LENGTH};
 
 /// Edits after which everything is made afresh, so that what each leaves below its threshold can
 /// never add up.
@@ -160,9 +160,9 @@ impl LiveContour {
                 }
                 self.move_end(segment, to);
             }
-            Shape::Spline(spline) => {
-                let count = spline.points.len();
-                let point = spline.points.get_mut(index).ok_or(EditError::NoPoint)?;
+            Shape::Spline(SplineShape { points, .. }) | Shape::Bezier { controls: points } => {
+                let count = points.len();
+                let point = points.get_mut(index).ok_or(EditError::NoPoint)?;
                 *point = to;
                 if index + 1 == count {
                     self.move_end(segment, to);
@@ -232,7 +232,8 @@ impl LiveContour {
     pub fn set_segment(&mut self, segment: usize, shape: Shape) -> Result<(), EditError> {
         let end = shape.end();
         let own = self.described.shape_mut(segment).ok_or(EditError::NoSegment)?;
-        let splines = [&shape, &*own].map(|shape| matches!(shape, Shape::Spline(_)));
+        let splines =
+            [&shape, &*own].map(|shape| matches!(shape, Shape::Spline(_) | Shape::Bezier { .. }));
         *own = shape;
         if let Some(end) = end {
             self.take_start_along(segment, end);
@@ -305,8 +306,8 @@ impl LiveContour {
                 Shape::Line { to } | Shape::Arc { to, .. } | Shape::ArcByRadius { to, .. } => {
                     *to = end;
                 }
-                Shape::Spline(spline) => {
-                    if let Some(last) = spline.points.last_mut() {
+                Shape::Spline(SplineShape { points, .. }) | Shape::Bezier { controls: points } => {
+                    if let Some(last) = points.last_mut() {
                         *last = end;
                     }
                 }
@@ -356,7 +357,11 @@ impl LiveContour {
             GougePolicy::Avoid => passes == Passes::One,
             GougePolicy::Stop => false,
         };
-        if is_local && diagnostics.is_empty() {
+        // Given cubics have no type points to solve for; and a kink makes several segments of one.
+        let has_given = contour.segments().iter().any(|segment| {
+            matches!(&segment.curve, Curve::Spline(spline) if !spline.is_through_points())
+        });
+        if is_local && !has_given && diagnostics.is_empty() {
             let slots = [&mut self.path, &mut self.outline];
             let local =
                 Local::new(&contour, self.closed, self.tool, &self.options, self.chord, slots);
