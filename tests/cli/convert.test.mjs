@@ -44,16 +44,20 @@ test("npx runs it from an installed package", async () => {
   assert.deepEqual(pointsOf(read("npx.nc")), centres(3));
 });
 
-test("every program becomes what the package itself writes, from a file and from standard input", async () => {
+test("every program becomes what the package itself writes", async () => {
   assert.ok(programs.length >= 7, "there are programs");
   for (const name of programs) {
-    const input = sample(name);
-    const expected = compensate(parseProgram(input), { radius: 0.5 }).gcode();
-    const read = await g41(["convert", name, "--radius", "0.5"]);
-    const piped = await g41(["convert", "-", "--radius", "0.5"], { input });
-    assert.deepEqual([read.out, piped.out], [expected, expected], name);
-    assert.doesNotMatch(read.out, /^[^(;]*\bG0*(4[12]|5)\b/m, name);
+    const expected = compensate(parseProgram(sample(name)), { radius: 0.5 }).gcode();
+    const { out } = await g41(["convert", name, "--radius", "0.5"]);
+    assert.equal(out, expected, name);
+    assert.doesNotMatch(out, /^[^(;]*\bG0*(4[12]|5)\b/m, name);
   }
+});
+
+test("standard input is read as a file is", async () => {
+  const input = sample("cam.ngc");
+  const piped = await g41(["convert", "-", "--radius", "2"], { input });
+  assert.deepEqual(piped, await g41(["convert", "cam.ngc", "--radius", "2"]));
 });
 
 test("a negative radius swaps the side", async () => {
