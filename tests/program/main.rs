@@ -1,11 +1,14 @@
 //! What programs mean, and what is reported of the rest.
 
 mod bounds;
+mod cycles;
 mod expressions;
 mod feeds;
 mod flow;
+mod frames;
 mod macros;
 mod meant;
+mod order;
 mod planes;
 mod reported;
 mod sample;

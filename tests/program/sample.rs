@@ -9,6 +9,10 @@ pub(crate) fn read(text: &str) -> Interpretation {
     interpret(&Program::parse(text, Dialect::Auto), Rules::default())
 }
 
+pub(crate) fn read_as_fanuc(text: &str) -> Interpretation {
+    interpret(&Program::parse(text, Dialect::Fanuc), Rules::default())
+}
+
 /// Reads a program in which nothing is to be found fault with.
 pub(crate) fn read_clean(text: &str) -> Interpretation {
     let read = read(text);
