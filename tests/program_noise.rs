@@ -73,13 +73,17 @@ fn characters(random: &mut Random, length: usize) -> String {
 
 /// Proper words in no order.
 fn words(random: &mut Random, count: usize) -> String {
-    const WORDS: [&str; 48] = [
+    const WORDS: [&str; 84] = [
         "G0", "G1", "G1", "G1", "G2", "G3", "G05", "G05", "G17", "G18", "G20", "G21", "G40", "G40",
         "G41", "G42", "G41", "G41.1", "G42.1", "G90", "G91", "G90.1", "G91.1", "G4", "G28", "G81",
         "G80", "G5.1", "G92", "G53", "M3", "M6", "M0", "T1", "S900", "F600", "F0", "D1", "D2",
-        "(c)", "/", "G10", "G43", "G64", "G93", "G94", "G54", "M8",
+        "(c)", "/", "G10", "G43", "G64", "G93", "G94", "G54", "M8", "G19", "G15", "G16", "G50",
+        "G51", "G50.1", "G51.1", "G52", "G55", "G68", "G69", "G7", "G8", "G73", "G74", "G76",
+        "G83", "G84", "G86", "G87", "G88", "G89", "G92.1", "G92.2", "G92.3", "G95", "G96", "G97",
+        "G98", "G99", "G28.1", "G53", "L2", "L20", "P1", "G49",
     ];
-    const LETTERS: [&str; 12] = ["X", "Y", "X", "Y", "X", "Y", "Z", "I", "J", "R", "P", "Q"];
+    const LETTERS: [&str; 15] =
+        ["X", "Y", "X", "Y", "X", "Y", "Z", "I", "J", "R", "P", "Q", "K", "L", "A"];
     const NUMBERS: [&str; 14] = [
         "0",
         "1",

@@ -40,7 +40,7 @@ impl Interpreter {
     fn turns(&mut self, block: &Block, words: &mut Words) -> u32 {
         let Some(word) = words.take('P') else { return 1 };
         if let Some(turns @ 1..=MOST_TURNS) = whole(word.value) {
-            return turns;
+            return if turns == 1 || self.may_expand(block, turns) { turns } else { 1 };
         }
         let at = block.origin_at(word.column);
         let hint = "P is a whole number from 1; the arc makes less than one turn";

@@ -125,6 +125,10 @@ impl Interpreter {
             words.take_all(GEOMETRY);
             return;
         }
+        if !self.may_expand(block, repeats.saturating_mul(self.pecks_of(retract, bottom))) {
+            words.take_all(GEOMETRY);
+            return;
+        }
         self.holes(block, number, [retract, bottom], repeats, words, depth);
         words.take_all("XYZ@^");
     }
@@ -280,6 +284,13 @@ impl Interpreter {
         }
     }
 
+    /// How many steps of Q there are from R to the depth; one where they are no use.
+    fn pecks_of(&self, retract: f64, bottom: f64) -> u32 {
+        let count = ((retract - bottom) / self.modal.cycle.step.unwrap_or(0.0)).ceil();
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked")]
+        if count >= 1.0 && count <= f64::from(MOST) { count as u32 } else { 1 }
+    }
+
     /// Down in steps of Q: G83 goes out of the hole after each, G73 only back.
     fn pecks(&mut self, hole: &Hole, out: bool) {
         let step = self.modal.cycle.step.unwrap_or(0.0);
@@ -375,6 +386,9 @@ impl Interpreter {
         let mut to = at;
         to[self.modal.plane.axes()[2]] = height;
         let to = self.modal.frame.map(to);
+        if self.leads_too_far(block, 1, to) {
+            return;
+        }
         if to.distance(self.modal.position) < MIN_LENGTH
             && (0..3).all(|i| axes.words[i].is_none() || self.modal.stated[i])
         {

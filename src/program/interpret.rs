@@ -22,6 +22,10 @@ pub(super) const GEOMETRY: &str = "XYZABCUVWIJKRPQLDHE@^";
 /// Seconds in a minute.
 pub(super) const MINUTE: f64 = 60.0;
 
+/// Most moves that cycles and arcs of several turns may become: they take memory, and a short text
+/// can ask for any number of them.
+const MOST_EXPANDED: u32 = 2_000_000;
+
 /// Whether the program goes on after a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Flow {
@@ -42,6 +46,8 @@ pub(super) struct Interpreter {
     pub(super) rules: Rules,
     /// The control has refused to go on.
     pub(super) is_refused: bool,
+    /// Moves that cycles and arcs of several turns have become.
+    expanded: u32,
 }
 
 impl Interpreter {
@@ -55,6 +61,7 @@ impl Interpreter {
             waiting: Vec::new(),
             rules,
             is_refused: false,
+            expanded: 0,
         }
     }
 
@@ -131,6 +138,17 @@ impl Interpreter {
         }
         self.pass_on(after, false, block.origin());
         if end { Flow::End } else { Flow::Next }
+    }
+
+    /// Whether one block may become `moves` moves more.
+    pub(super) fn may_expand(&mut self, block: &Block, moves: u32) -> bool {
+        self.expanded = self.expanded.saturating_add(moves);
+        let may = self.expanded <= MOST_EXPANDED;
+        if !may {
+            let message = "cycles and turns of arcs make more moves than a program can have";
+            self.error("too-many-moves", message, block.start(), "the block makes no move");
+        }
+        may
     }
 
     /// The control goes no further: what it is asked for may not be while compensation is on.

@@ -37,13 +37,21 @@ pub fn compensate_program(
         match item {
             Item::Free(free) => course.free(*free),
             Item::Words { words, reset, origin } => {
+                let mut reset = *reset;
+                course.is_reset |= reset.is_some() && !words.is_empty();
+                // Where only axes are to be stated the tool stays where it is, maybe beside the
+                // contour.
+                if let (Some(reset), Some(at), false) =
+                    (&mut reset, course.position(), course.is_reset)
+                {
+                    reset.at = at;
+                }
                 course.path.words.push(AuxiliaryWords {
                     before: course.path.moves.len(),
                     words: words.clone(),
-                    reset: *reset,
+                    reset,
                     origin: *origin,
                 });
-                course.is_reset |= reset.is_some();
             }
             Item::Contour(programmed) => course.contour(programmed, tools, &each),
         }
