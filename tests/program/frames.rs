@@ -116,6 +116,25 @@ fn polar_coordinates_count_from_the_origin_or_the_place() {
 }
 
 #[test]
+fn polar_words_go_by_radius_and_angle() {
+    // LinuxCNC: an omitted one keeps its value; incremental ones are added to the present.
+    let ends = |text: &str| -> Vec<glam::DVec2> {
+        moves(&read_clean(text)).iter().map(|m| m.curve.end()).collect()
+    };
+    let absolute = ends("G0 @10 ^0\n^90\n@5\n@3 ^180 Z2\n");
+    for (end, expected) in absolute.iter().zip([[10.0, 0.0], [0.0, 10.0], [0.0, 5.0], [-3.0, 0.0]])
+    {
+        assert!(near(*end, expected), "{absolute:?}");
+    }
+    let incremental = ends("G0 X10 Y0\nG91 ^90\n@5 ^90\n");
+    assert!(near(incremental[1], [0.0, 10.0]), "{incremental:?}");
+    assert!(near(incremental[2], [-15.0, 0.0]), "{incremental:?}");
+    let holes = ends("G0 X2 Y0 Z5\nG91 G99 G81 ^45 Z-3 R-4 L4 F60\n");
+    let last = holes.last().expect("holes");
+    assert!(near(*last, [-2.0, 0.0]), "each turns on by 45 degrees: {holes:?}");
+}
+
+#[test]
 fn g10_gives_tools_their_radius() {
     let radius = |words: &str| {
         let text = format!("{words}\nG0 X0 Y-9\nG41 D3 G1 X0 Y0 F100\nX9\nG40 Y-9\n");

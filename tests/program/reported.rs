@@ -47,6 +47,7 @@ fn every_fault_is_reported_with_its_line_and_column() {
         ("G51 P0", "bad-scale", ERROR, Some(1)),
         ("G51 P2000", "scale-in-thousandths", INFO, Some(5)),
         ("G68 X0 Y0", "missing-angle", ERROR, Some(1)),
+        ("@5 ^30 X2", "contradictory-words", ERROR, Some(1)),
         ("G18 G2 X5 Z5 J5 R9 F1", "contradictory-words", ERROR, Some(14)),
         ("G2 X5 Y0 I2 P0 F1", "bad-turns", ERROR, Some(13)),
         ("M70", "not-supported", ERROR, Some(1)),
