@@ -43,6 +43,8 @@ pub(super) struct Passing {
     spindle: [Option<f64>; 2],
     /// The T word.
     tool: Option<f64>,
+    /// Whether a tool length that was left out would be in effect.
+    no_length: bool,
     /// Whether all words of a text were written.
     complete: bool,
 }
@@ -160,8 +162,14 @@ impl Passing {
     ) {
         let number = tenths(value);
         let known = u32::try_from(number).is_ok_and(|number| out.facts.knows_g(number));
+        if matches!(number, 430..=440) {
+            self.no_length = !known;
+        }
         if !known {
             self.left_out('G', value, origin);
+        } else if number == 490 && self.no_length {
+            // What it would end has not begun.
+            self.no_length = false;
         } else if number == 40 {
             let seconds = ['P', 'X', 'U', 'S'].into_iter().find_map(|word| find(parameters, word));
             push_command(line, 'G', 4.0, &[], out);
