@@ -21,6 +21,10 @@ pub const ARC_TOLERANCE: f64 = 0.028_284_271;
 /// How much an arc's two radii may differ, as a part of them.
 pub const RELATIVE_ARC_TOLERANCE: f64 = 1e-3;
 
+/// How much they may differ where they are kept as they are stated [mm]: centre and end each
+/// rounded to 0.001 inch, as `LinuxCNC` allows it.
+const STATED_TOLERANCE: f64 = 0.002 * std::f64::consts::SQRT_2 * 25.4;
+
 /// A segment as described: all but its start, which is the end of the one before it.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Shape {
@@ -257,17 +261,14 @@ impl ContourBuilder {
                 }
                 Shape::Line { to } => Line::new(from, *to).map(Curve::Line),
                 Shape::Arc { to, center, clockwise } => {
-                    let tolerance =
-                        ARC_TOLERANCE.max(RELATIVE_ARC_TOLERANCE * from.distance(*center));
-                    Arc::from_center(from, *to, *center, *clockwise, tolerance)
-                        .and_then(|arc| {
-                            if self.keeps_centers {
-                                Arc::winding(from, *to, *center, *clockwise)
-                            } else {
-                                Ok(arc)
-                            }
-                        })
-                        .map(Curve::Arc)
+                    let arc = if self.keeps_centers {
+                        stated_arc(from, *to, *center, *clockwise)
+                    } else {
+                        let relative = RELATIVE_ARC_TOLERANCE * from.distance(*center);
+                        let tolerance = ARC_TOLERANCE.max(relative);
+                        Arc::from_center(from, *to, *center, *clockwise, tolerance)
+                    };
+                    arc.map(Curve::Arc)
                 }
                 Shape::ArcByRadius { to, radius, form, clockwise } => {
                     Arc::from_radius(from, *to, *radius, *form, *clockwise, ARC_TOLERANCE)
@@ -355,6 +356,16 @@ impl ContourBuilder {
             end: end_condition(shape.end_tangent, after, 0.0),
         }
     }
+}
+
+/// An arc with its centre and ends as they are stated.
+fn stated_arc(start: DVec2, end: DVec2, center: DVec2, clockwise: bool) -> Result<Arc, CurveError> {
+    let radii = [start.distance(center), end.distance(center)];
+    let apart = (radii[0] - radii[1]).abs();
+    if apart > STATED_TOLERANCE || apart > RELATIVE_ARC_TOLERANCE * radii[0].max(radii[1]) {
+        return Err(CurveError::RadiiDisagree { start: radii[0], end: radii[1] });
+    }
+    Arc::winding(start, end, center, clockwise)
 }
 
 /// What has become of a described segment.

@@ -36,14 +36,14 @@ pub(super) fn with_look_ahead(
         path.diagnostics.push((**why).clone());
         finished = false;
     }
-    if tip == glam::DVec2::ZERO {
+    if finished && tip == glam::DVec2::ZERO {
         judge(&mut path, programmed, tool, options);
     }
     (path, finished)
 }
 
-/// Reports where the path cuts too deep: the control itself looks at one corner at a time. What a
-/// corner within the tangent band costs is not counted.
+/// Tells where the path cuts too deep; the control itself looks at one corner at a time, and makes
+/// it all the same. What a corner within the tangent band costs is not counted.
 fn judge(path: &mut ToolPath, programmed: &ProgrammedContour, tool: Tool, options: &Options) {
     let Some(contour) = part(programmed) else { return };
     let is_cutting = |role| matches!(role, Role::Segment | Role::Transition);
@@ -53,7 +53,7 @@ fn judge(path: &mut ToolPath, programmed: &ProgrammedContour, tool: Tool, option
     let tolerance = options.usable_tolerance() + undercut;
     for gouge in check(&contour, &own, tool.radius(), tolerance) {
         let message = format!("the path cuts {} mm too deep", Decimal::of(gouge.depth));
-        let mut diagnostic = Diagnostic::error("bottleneck-gouge", message)
+        let mut diagnostic = Diagnostic::warning("bottleneck-gouge", message)
             .with_point(gouge.at)
             .with_depth(gouge.depth)
             .with_hint("use a smaller tool, or let gouges be avoided")

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::queue::{Pending, Shape};
-use super::{Control, Refused, TOO_TIGHT, climb, helix, swept};
+use super::{Control, Refused, SAME_LENGTH, TOO_TIGHT, climb, helix, swept};
 use crate::contour::{Attributes, Role};
 use crate::geometry::{Arc, direction, perp};
 
@@ -15,8 +15,8 @@ impl Control<'_> {
     /// A straight lead-in to `to`: its end is beside its own.
     pub(super) fn lead_in(&mut self, to: DVec2, attributes: &Attributes) -> Result<(), Refused> {
         self.origin = attributes.origin;
-        let step = to - self.at;
-        let Some(along) = direction(step).filter(|_| step.length() > self.tool.radius()) else {
+        let (step, least) = (to - self.at, self.tool.radius() + SAME_LENGTH);
+        let Some(along) = direction(step).filter(|_| step.length() > least) else {
             return Err(Refused("short-lead-in", "the lead-in is not longer than the tool radius"));
         };
         let attributes = self.timed(attributes, step.length().hypot(climb(attributes)));
@@ -39,12 +39,12 @@ impl Control<'_> {
     ) -> Result<(), Refused> {
         self.origin = attributes.origin;
         let (from, end, radius) = (self.at, arc.end(), self.tool.radius());
-        if from.distance(end) <= radius {
+        if from.distance(end) <= radius + SAME_LENGTH {
             let message = "the ends of the lead-in arc are not farther apart than the tool radius";
             return Err(Refused("short-lead-in", message));
         }
         let is_inside = self.is_inside(arc.is_clockwise());
-        if is_inside && arc.radius() <= radius {
+        if is_inside && arc.radius() <= radius + SAME_LENGTH {
             return Err(TOO_TIGHT);
         }
         let attributes = self.timed(attributes, helix(arc, attributes));

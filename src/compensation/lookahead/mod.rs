@@ -30,6 +30,9 @@ use crate::contour::{
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Arc, Curve, direction, perp, turn};
 
+/// How little what is as long as the tool radius may seem longer, by rounding [mm].
+const SAME_LENGTH: f64 = 1e-9;
+
 /// Slowest feed of a move whose time is programmed, in units of the program per minute.
 const SLOWEST: f64 = 0.1;
 
@@ -226,7 +229,7 @@ impl<'a> Control<'a> {
         let (end, center, clockwise) = (arc.end(), arc.center(), arc.is_clockwise());
         let (radius, is_inside) = (self.tool.radius(), self.is_inside(clockwise));
         let end_radius = center.distance(end);
-        if is_inside && end_radius <= radius {
+        if is_inside && end_radius <= radius + SAME_LENGTH {
             return Err(TOO_TIGHT);
         }
         // From the tool into the part, where the tool is outside.
@@ -272,7 +275,9 @@ impl<'a> Control<'a> {
                 // Back along a wall that an arc has come up to from outside, or the other way round:
                 // the tool stays above the arc.
                 (Flank::Arc { is_inside, .. }, _) => turns_back && !is_inside,
-                (Flank::Line, Some(Flank::Arc { is_inside, .. })) => away > PI - band && !is_inside,
+                (Flank::Line, Some(Flank::Arc { is_inside, .. })) => {
+                    away > PI - band && !is_inside && self.queue.is_waiting()
+                }
                 (Flank::Line, _) => false,
             };
         if let Some(before) = before {

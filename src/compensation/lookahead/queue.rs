@@ -81,6 +81,11 @@ impl Queue {
         self.front
     }
 
+    /// Whether a move waits.
+    pub(super) fn is_waiting(&self) -> bool {
+        !self.entries.is_empty()
+    }
+
     /// The next move begins at `start` [mm].
     pub(super) fn begin(&mut self, start: DVec2) {
         self.start = Some(start);

@@ -1,0 +1,152 @@
+//! The coordinates that `LinuxCNC`'s own tests and the RS274/NGC handbook print.
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use super::run::assert_moves;
+
+const INCH: f64 = 25.4;
+
+/// The part of the handbook's figures on entry moves: a rounded outline, reached by a straight move
+/// and an arc.
+#[test]
+fn outline_reached_by_a_line_and_an_arc() {
+    assert_moves(
+        "G20 F60
+        T4 M6
+        G0 X1 Y5
+        G41 G1 Y4
+        G3 X2 Y3 I1 J0
+        G2 X3 Y2 I0 J-1
+        G1 Y-1
+        G2 X2 Y-2 I-1 J0
+        G1 X-2
+        G2 X-2.6 Y-0.2 I0 J1
+        G1 X1.4 Y2.8
+        G2 X2 Y3 I0.6 J-0.8
+        G40
+        M2",
+        &[(4, 1.0, 0)],
+        INCH,
+        "G0 1 5 0
+        G1 1.5 4 0
+        G3 2 3.5 0 2 4
+        G2 3.5 2 0 2 2
+        G1 3.5 -1 0
+        G2 2 -2.5 0 2 -1
+        G1 -2 -2.5 0
+        G2 -2.9 0.2 0 -2 -1
+        G1 1.1 3.2 0
+        G2 2 3.5 0 2 2",
+    );
+}
+
+/// Heights change in the lead-in, on the part and in the lead-out, which are an arc or a line.
+#[test]
+fn heights_change_on_the_way() {
+    for (lead, part, exit) in [("Z0", "", ""), ("", "Z0", ""), ("", "", "Z0")] {
+        let text = format!(
+            "G20 F60
+            G0 X0 Y0.5 Z0.25
+            G1 X0.25
+            G41 G2 D2 X0.5 Y0.75 I0.25 J0 {lead}
+            G1 X0.75 {part}
+            G40 X1 {exit}
+            X1.25 Z0.25
+            M2"
+        );
+        let (a, b) =
+            (if lead.is_empty() { 0.25 } else { 0.0 }, if exit.is_empty() { 0.0 } else { 0.25 });
+        assert_moves(
+            &text,
+            &[(2, 0.125, 0)],
+            INCH,
+            &format!(
+                "G0 0 0.5 0.25
+                G1 0.25 0.5 0.25
+                G2 0.5 0.8125 {a} 0.5 0.5562
+                G1 0.75 0.8125 {b}
+                G1 1 0.75 0
+                G1 1.25 0.75 0.25"
+            ),
+        );
+        let text = format!(
+            "G20 F60
+            G0 X0 Y-0.5 Z0.25
+            G1 X0.25
+            G41 G1 D2 X0.5 Y-0.25 {lead}
+            G1 X0.75 {part}
+            G40 X1 {exit}
+            X1.25 Z0.25
+            M2"
+        );
+        assert_moves(
+            &text,
+            &[(2, 0.125, 0)],
+            INCH,
+            &format!(
+                "G0 0 -0.5 0.25
+                G1 0.25 -0.5 0.25
+                G1 0.4558 -0.2058 {a}
+                G2 0.5 -0.1875 {a} 0.5 -0.25
+                G1 0.75 -0.1875 {b}
+                G1 1 -0.25 0
+                G1 1.25 -0.25 0.25"
+            ),
+        );
+    }
+}
+
+/// D0 is the tool in the spindle, of which there is none: nothing is compensated.
+#[test]
+fn without_a_tool_in_the_spindle_nothing_is_compensated() {
+    assert_moves(
+        "G20 F60
+        G0 X0 Y0.5 Z0.25
+        G1 X0.25
+        G41 G2 D0 X0.5 Y0.75 I0.25 J0
+        G1 X0.75
+        G40 X1
+        X1.25 Z0.5
+        M2",
+        &[(0, 0.0, 0)],
+        INCH,
+        "G0 0 0.5 0.25
+        G1 0.25 0.5 0.25
+        G2 0.5 0.75 0.25 0.5 0.5
+        G1 0.75 0.75 0.25
+        G1 1 0.75 0.25
+        G1 1.25 0.75 0.5",
+    );
+}
+
+/// Absolute and incremental words, R form, helices, a lead-in arc, outside corners of every kind,
+/// and a rapid move up at the end that stays beside the part.
+#[test]
+fn every_outside_corner_after_an_arc_in_r_form() {
+    assert_moves(
+        "G20 T3 M6 F100
+        G0 X2 Y0 Z0.5
+        G41
+        G3 X1 Y0 R0.70710678118 Z0
+        G91 G2 X-1 Y1 R1
+        G90 G3 X1 Y2 Z0.4 R2
+        G91 G1 X1 Y-1 Z-0.2
+        G90 X1 Y0 Z0
+        G0 Z1
+        G40
+        M2",
+        &[(3, 0.25, 0)],
+        INCH,
+        "G0 2 0 0.5
+        G3 1.0884 -0.0884 0 1.5979 -0.5979
+        G2 1 -0.125 0 1 0
+        G2 -0.125 1 0 1 1
+        G2 -0.0514 1.1139 0 0 1
+        G3 0.8861 2.0514 0.4 -0.8229 2.8229
+        G2 1.0884 2.0884 0.4 1 2
+        G1 2.0884 1.0884 0.2
+        G2 2.0884 0.9116 0.2 2 1
+        G1 1.0884 -0.0884 0
+        G0 1.0884 -0.0884 1",
+    );
+}

@@ -1,0 +1,9 @@
+//! Programs as `LinuxCNC` compensates them, against coordinates from outside this crate.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod documented;
+mod oracle;
+mod refused;
+mod run;
