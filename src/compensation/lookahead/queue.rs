@@ -8,6 +8,7 @@ use super::{Refused, swept};
 use crate::contour::{
     Attributes, AuxiliaryWords, Event, EventKind, Move, MoveCurve, Role, ToolPath,
 };
+use crate::diagnostic::Diagnostic;
 use crate::geometry::{Arc, Cubic, Line, MIN_LENGTH};
 
 /// How much farther than programmed an arc may turn when its end is moved: 0.0254 rad in a program
@@ -177,16 +178,32 @@ impl Queue {
         }
     }
 
+    /// The lead-in of a lathe tool along an arc begins by a straight move, which the control moves to
+    /// the end of the arc along with the arc's own: the arc itself becomes a full circle.
+    fn circle(&mut self, attributes: &Attributes, at: DVec2) {
+        let message = "the control makes a full circle of the lead-in arc of a lathe tool";
+        self.path.diagnostics.push(
+            Diagnostic::warning("lead-in-circle", message)
+                .with_origin(attributes.origin)
+                .with_point(at)
+                .with_hint("lead in with a straight move"),
+        );
+    }
+
     fn draw(&mut self, pending: &Pending, to: DVec2) {
         let Pending { shape, attributes, role, .. } = *pending;
         let climbs = attributes.heights[0] != attributes.heights[1];
         let curve = match shape {
             Shape::Line { .. } => Line::new(self.pen, to).ok().map(MoveCurve::Line),
             Shape::Arc { center, clockwise, sweep } => {
-                // Cut short to nothing, an arc must not become a full circle.
-                let is_point = self.pen.distance(to) < MIN_LENGTH && sweep.abs() < 0.5 * TAU;
+                let is_point = self.pen.distance(to) < MIN_LENGTH && sweep.abs() < 0.999 * TAU;
+                if is_point && role == Role::LeadIn && self.tip != DVec2::ZERO {
+                    self.circle(&attributes, to);
+                }
+                // Cut short to nothing, an arc does not become a full circle, but for one case.
+                let is_left_out = is_point && role != Role::LeadIn;
                 let arc = Arc::winding(self.pen, to, center + self.tip, clockwise);
-                arc.ok().filter(|_| !is_point).map(MoveCurve::Arc)
+                arc.ok().filter(|_| !is_left_out).map(MoveCurve::Arc)
             }
         };
         let curve = curve.or(climbs.then_some(MoveCurve::Vertical(self.pen)));
