@@ -93,12 +93,17 @@ pub(super) fn word(letter: char, value: f64) -> String {
     text
 }
 
+/// Appends a word after a space.
+pub(super) fn append_word(text: &mut String, letter: char, value: f64) {
+    text.push(' ');
+    push_word(text, letter, value);
+}
+
 /// Appends the words with these letters as they are.
 pub(super) fn take_as_text(words: &mut Words, letters: &str, text: &mut String) {
     for letter in letters.chars() {
         if let Some(found) = words.take(letter) {
-            text.push(' ');
-            push_word(text, letter, found.value);
+            append_word(text, letter, found.value);
         }
     }
 }

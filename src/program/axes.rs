@@ -1,17 +1,16 @@
 //! Axis words: where a block leads to, in program coordinates.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
+use super::auxiliary::append_word;
 use super::block::{Block, Word};
 use super::coordinates::AXES;
 use super::frame::{polar_point, radians};
-use super::interpret::{GEOMETRY, Interpreter};
+use super::interpret::{GEOMETRY, Interpreter, MINUTE};
 use super::number::push_word;
 use super::words::Words;
 use crate::contour::{Attributes, Reset};
 use crate::geometry::{MAX_COORDINATE, turn};
-
-use super::interpret::MINUTE;
 
 /// Coordinates nearer than this are one [mm]: what rounding leaves of turning there and back.
 const SAME: f64 = 1e-9;
@@ -120,7 +119,7 @@ impl Interpreter {
                 "the polar words count",
             );
         }
-        let angle = turn(glam::DVec2::X, at);
+        let angle = turn(DVec2::X, at);
         let (length, angle) = match (self.modal.relative, radius, turned) {
             (false, ..) => (
                 radius.map_or(at.length(), |word| word.value * self.modal.unit()),
@@ -131,7 +130,7 @@ impl Interpreter {
                 angle + turned.map_or(0.0, |word| radians(word.value)),
             ),
         };
-        *to = polar_point(glam::DVec2::ZERO, length, angle).extend(to.z);
+        *to = polar_point(DVec2::ZERO, length, angle).extend(to.z);
         axes.words[0] = Some(word);
         axes.words[1] = Some(word);
     }
@@ -190,8 +189,7 @@ impl Interpreter {
             return;
         }
         if let Some(feed) = attributes.feed {
-            text.push(' ');
-            push_word(&mut text, 'F', feed * MINUTE);
+            append_word(&mut text, 'F', feed * MINUTE);
         }
         self.course.words(text, attributes.origin);
     }

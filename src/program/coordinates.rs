@@ -7,13 +7,13 @@
 
 use glam::{DVec2, DVec3};
 
-use super::auxiliary::{take_as_text, word as text_of};
+use super::auxiliary::{append_word, take_as_text, word as text_of};
 use super::block::{Block, Word};
 use super::dialect::Dialect;
 use super::frame::{Frame, Polar, radians};
 use super::g_words::{Act, GWord, Motion, g_word};
 use super::interpret::{Interpreter, MINUTE};
-use super::number::{push_word, whole};
+use super::number::whole;
 use super::words::{Words, tenths};
 use crate::contour::Reset;
 use crate::diagnostic::Diagnostic;
@@ -184,8 +184,7 @@ impl Interpreter {
                 *shift = shift.filter(|_| known).map(|s| s + self.modal.position[i] - to[i]);
                 self.modal.position[i] = to[i];
                 self.modal.stated[i] = true;
-                text.push(' ');
-                push_word(&mut text, AXES[i], to[i]);
+                append_word(&mut text, AXES[i], to[i]);
             }
         }
         self.pass_reset(block, text);
@@ -204,19 +203,19 @@ impl Interpreter {
         let mut text = format!("G10 L{kind}");
         let number = number.and_then(|number| whole(number.value));
         if let Some(number) = number {
-            push_word_after(&mut text, 'P', f64::from(number));
+            append_word(&mut text, 'P', f64::from(number));
         }
         // Only in these is R an angle.
         let is_origin = kind == 2 || kind == 20;
         let radius_unit = if is_origin { 1.0 } else { unit };
         if let Some(radius) = radius {
-            push_word_after(&mut text, 'R', radius.value * radius_unit);
+            append_word(&mut text, 'R', radius.value * radius_unit);
         }
         let mut given = [None; 3];
         for (i, letter) in AXES.into_iter().enumerate() {
             if let Some(axis) = words.take(letter) {
                 given[i] = Some(self.modal.length_of(i, axis.value));
-                push_word_after(&mut text, letter, self.modal.length_of(i, axis.value));
+                append_word(&mut text, letter, self.modal.length_of(i, axis.value));
             }
         }
         take_as_text(words, "ABCUVWQIJ", &mut text);
@@ -292,7 +291,7 @@ impl Interpreter {
         for (i, letter) in AXES.into_iter().enumerate() {
             if let Some(axis) = words.take(letter) {
                 named[i] = true;
-                push_word_after(&mut text, letter, self.modal.length_of(i, axis.value));
+                append_word(&mut text, letter, self.modal.length_of(i, axis.value));
             }
         }
         let rotary = words.has_any("ABCUVW");
@@ -333,14 +332,14 @@ impl Interpreter {
         for (i, letter) in AXES.into_iter().enumerate() {
             if let Some(axis) = words.take(letter) {
                 named[i] = true;
-                push_word_after(&mut text, letter, self.modal.length_of(i, axis.value));
+                append_word(&mut text, letter, self.modal.length_of(i, axis.value));
             }
         }
         take_as_text(words, "ABCUVW", &mut text);
         if motion == "G1"
             && let (Some(feed), _) = self.feed_of_moves(block)
         {
-            push_word_after(&mut text, 'F', feed * MINUTE);
+            append_word(&mut text, 'F', feed * MINUTE);
         }
         if named != [false; 3] {
             self.forget(named);
@@ -460,9 +459,4 @@ impl Interpreter {
 /// Whether the frames map points otherwise.
 fn differs(a: &Frame, b: &Frame) -> bool {
     a.mirror != b.mirror || a.factors != b.factors || a.rotation != b.rotation
-}
-
-fn push_word_after(text: &mut String, letter: char, value: f64) {
-    text.push(' ');
-    push_word(text, letter, value);
 }

@@ -84,6 +84,22 @@ impl Course {
         }
     }
 
+    /// The blocks that the curve just made comes from, one for each of its pieces.
+    pub(super) fn name_blocks(&mut self, origins: &[Origin]) {
+        match &mut self.state {
+            State::Off | State::Waiting(_) => {
+                for (item, origin) in self.items.iter_mut().rev().zip(origins.iter().rev()) {
+                    let Item::Free(made) = item else { break };
+                    let MoveCurve::Cubic(_) = made.curve else { break };
+                    made.origin = *origin;
+                }
+            }
+            State::On(open) | State::Ending(open) => {
+                open.last_line = origins.last().map_or(open.last_line, |last| line_of(*last));
+            }
+        }
+    }
+
     /// Words that move nothing.
     pub(super) fn words(&mut self, words: String, origin: Origin) {
         match &mut self.state {

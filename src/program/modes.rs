@@ -1,6 +1,6 @@
 //! The G words of a block: the modes that they set, and what else they ask for.
 
-use super::auxiliary::{Auxiliary, rank, take_as_text, word as text_of};
+use super::auxiliary::{Auxiliary, append_word, rank, take_as_text, word as text_of};
 use super::block::{Block, Word};
 use super::g_words::{Compensation, GWord, Motion, g_word};
 use super::interpret::Interpreter;
@@ -36,8 +36,11 @@ impl Interpreter {
     ) -> Demands<'a> {
         let mut demands = Demands::default();
         for (index, word) in block.words.iter().enumerate() {
+            if word.letter != 'G' {
+                continue;
+            }
             let meaning = match tenths(word).map(|number| (number, g_word(number))) {
-                Some((number, Some(meaning))) if word.letter == 'G' => (number, meaning),
+                Some((number, Some(meaning))) => (number, meaning),
                 _ => continue,
             };
             words.use_up(index);
@@ -118,7 +121,7 @@ impl Interpreter {
                         for (i, letter) in ['X', 'Y', 'Z'].into_iter().enumerate() {
                             if let Some(axis) = words.take(letter) {
                                 let length = self.modal.length_of(i, axis.value);
-                                text = format!("{text} {}", text_of(letter, length));
+                                append_word(&mut text, letter, length);
                             }
                         }
                     }
@@ -132,7 +135,7 @@ impl Interpreter {
                 let unit = self.modal.unit();
                 for letter in letters.chars() {
                     if let Some(length) = words.take(letter) {
-                        text = format!("{text} {}", text_of(letter, length.value * unit));
+                        append_word(&mut text, letter, length.value * unit);
                     }
                 }
                 auxiliary.text(rank::CONTROL, text);

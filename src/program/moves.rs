@@ -2,10 +2,11 @@
 
 use glam::DVec3;
 
+use super::auxiliary::{append_word, take_as_text};
 use super::axes::Axes;
 use super::block::Block;
 use super::g_words::Motion;
-use super::interpret::{GEOMETRY, Interpreter};
+use super::interpret::{GEOMETRY, Interpreter, MINUTE};
 use super::type_points::{SplineWord, spline_word};
 use super::words::Words;
 use crate::contour::Attributes;
@@ -114,10 +115,9 @@ impl Interpreter {
             (true, true) => "G91 G0",
             (true, false) => "G91 G1",
         });
-        super::auxiliary::take_as_text(words, "ABC", &mut text);
+        take_as_text(words, "ABC", &mut text);
         if !rapid && let (Some(feed), _) = self.feed_of_moves(block) {
-            text.push(' ');
-            super::number::push_word(&mut text, 'F', feed * super::interpret::MINUTE);
+            append_word(&mut text, 'F', feed * MINUTE);
         }
         self.course.words(text, block.origin());
         if self.modal.relative {

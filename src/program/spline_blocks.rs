@@ -58,11 +58,17 @@ impl Interpreter {
     }
 
     pub(super) fn finish_spline(&mut self) {
-        if let Some((start, shape, attributes)) = self.spline.take().and_then(PendingSpline::finish)
-        {
-            self.course.curve(start, shape, attributes, &mut self.report);
+        if let Some(spline) = self.spline.take() {
+            self.make_spline(spline);
         }
         self.release_words(false);
+    }
+
+    fn make_spline(&mut self, spline: PendingSpline) {
+        if let Some((start, shape, attributes, origins)) = spline.finish() {
+            self.course.curve(start, shape, attributes, &mut self.report);
+            self.course.name_blocks(&origins);
+        }
     }
 
     /// Words that move nothing. While it is open whether the spline goes on, they wait for that.
@@ -128,9 +134,7 @@ impl Interpreter {
             ),
             Added::Point | Added::Repeated => {}
             Added::Corner(ended) => {
-                if let Some((start, shape, attributes)) = ended.finish() {
-                    self.course.curve(start, shape, attributes, &mut self.report);
-                }
+                self.make_spline(ended);
                 self.release_words(false);
             }
         }

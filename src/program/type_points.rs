@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use super::words::Words;
 use crate::contour::{Attributes, Shape, SplineShape};
+use crate::diagnostic::Origin;
 use crate::geometry::MIN_LENGTH;
 
 /// What a word of the G05 and G06 families means by the words beside it.
@@ -65,7 +66,9 @@ pub(super) struct PendingSpline {
     start: DVec2,
     /// The type points after the start [mm].
     points: Vec<DVec2>,
-    /// Of its first block.
+    /// The blocks of these points.
+    origins: Vec<Origin>,
+    /// Of its first block, but with the time of all of them.
     attributes: Attributes,
     /// Feed of its latest type point that has one [mm/s].
     feed: Option<f64>,
@@ -73,7 +76,7 @@ pub(super) struct PendingSpline {
 
 impl PendingSpline {
     pub(super) fn new(start: DVec2, attributes: Attributes) -> Self {
-        Self { start, points: Vec::new(), attributes, feed: None }
+        Self { start, points: Vec::new(), origins: Vec::new(), attributes, feed: None }
     }
 
     /// How many type points it has after its start.
@@ -88,6 +91,7 @@ impl PendingSpline {
                 return Added::Repeated;
             }
             self.points.push(point);
+            self.origins.push(attributes.origin);
             self.attributes = attributes;
             self.feed = attributes.feed;
             return Added::Point;
@@ -96,6 +100,10 @@ impl PendingSpline {
             return Added::Corner(std::mem::replace(self, Self::new(last, attributes)));
         }
         self.points.push(point);
+        self.origins.push(attributes.origin);
+        if let (Some(time), Some(more)) = (&mut self.attributes.time, attributes.time) {
+            *time += more;
+        }
         self.attributes.feed = self.attributes.feed.or(attributes.feed);
         self.feed = attributes.feed.or(self.feed);
         Added::Point
@@ -111,12 +119,13 @@ impl PendingSpline {
         self.feed
     }
 
-    /// Where it starts, its shape and attributes; `None` where it never got a point.
-    pub(super) fn finish(self) -> Option<(DVec2, Shape, Attributes)> {
+    /// Where it starts, its shape and attributes, and the blocks of its points; `None` where it
+    /// never got one.
+    pub(super) fn finish(self) -> Option<(DVec2, Shape, Attributes, Vec<Origin>)> {
         if self.points.is_empty() {
             return None;
         }
         let shape = SplineShape { points: self.points, ..SplineShape::default() };
-        Some((self.start, Shape::Spline(shape), self.attributes))
+        Some((self.start, Shape::Spline(shape), self.attributes, self.origins))
     }
 }

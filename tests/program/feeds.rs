@@ -15,6 +15,9 @@ fn inverse_time_feeds_make_each_move_in_its_time() {
     // A quarter of a circle of radius 20: 31.416 mm in a second.
     let feed = feeds("G0 X20 Y0\nG93 G3 X0 Y20 I-20 F60")[1].expect("it feeds");
     assert!((feed - 10.0 * std::f64::consts::PI).abs() < 1e-9, "{feed}");
+    let spline = feeds("G0 X0 Y0\nG93 G5 X10 Y0 F60\nX20 F60\nX40 F60");
+    let each: Vec<f64> = spline.iter().flatten().copied().collect();
+    assert!(each.len() == 3 && each.iter().all(|f| (f - 40.0 / 3.0).abs() < 1e-9), "{each:?}");
     let turns = feeds("G0 X10 Y0\nG93 G3 I-10 P2 F60");
     let each = 40.0 * std::f64::consts::PI;
     assert!(turns[1..].iter().all(|f| (f.expect("it feeds") - each).abs() < 1e-9), "{turns:?}");

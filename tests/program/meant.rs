@@ -76,6 +76,19 @@ fn an_arc_with_z_is_a_helix() {
 }
 
 #[test]
+fn each_piece_of_a_free_spline_knows_its_block() {
+    let read = read_clean("G1 X0 Y0 F100\nG5 X10 Y5\nX20 Y0\n(here)\nX30 Y5\nG1 X40\n");
+    let lines: Vec<u32> = moves(&read)
+        .iter()
+        .map(|m| if let Origin::Block { line, .. } = m.origin { line } else { 0 })
+        .collect();
+    assert_eq!(lines, [2, 3, 5, 6], "{read:?}");
+    let text = "G41 D1 G1 X0 Y0 F9\nG5 X9 Y5\nX20 Y0\nX30 Y5\nM30\n";
+    let read = super::sample::read(&format!("G0 X-9 Y0\n{text}"));
+    assert_eq!(only_contour(&read).blocks, [2, 5], "the contour reaches to the spline's last");
+}
+
+#[test]
 fn a_move_along_z_alone_is_vertical() {
     let read = read_clean("G0 X3 Y4 Z5\nG1 Z-1 F60");
     let plunge = moves(&read)[1];
