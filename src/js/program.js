@@ -1,6 +1,6 @@
 // A program as its user sees it: what the WebAssembly holds, unpacked when it is asked for.
 import { Handle } from "./lifecycle.js";
-import { tolerance } from "./options.js";
+import { gcodeOptions, tolerance } from "./options.js";
 import { unpackPolylines } from "./polylines.js";
 
 /** @typedef {import("./types.d.ts").Program} Face */
@@ -49,6 +49,20 @@ export class Program {
       unpackPolylines(raw.polylines(chord)),
     );
     return polylines;
+  }
+
+  /** @param {import("./types.d.ts").GcodeOptions} [options] */
+  emit(options) {
+    const given = gcodeOptions(options);
+    const [text, diagnostics] = /** @type {[string, string]} */ (
+      this.#handle.use((raw) => raw.emit(...given))
+    );
+    return { text, diagnostics: JSON.parse(diagnostics) };
+  }
+
+  /** @param {import("./types.d.ts").GcodeOptions} [options] */
+  gcode(options) {
+    return this.emit(options).text;
   }
 
   // Where the environment has no Symbol.dispose yet, this only has a name that nobody calls.

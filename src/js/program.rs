@@ -10,8 +10,10 @@ use super::polylines_handle::PolylinesHandle;
 use super::programmed::contours_json;
 use super::report::{diagnostics_json, gouges_json};
 use super::settings::Settings;
-use super::tool_path::ToolPathHandle;
-use crate::program::{Interpretation, Item, Program, ProgrammedContour, Rules, interpret};
+use super::tool_path::{ToolPathHandle, emit_options, written};
+use crate::program::{
+    Interpretation, Item, Program, ProgrammedContour, Rules, interpret, programmed_path,
+};
 use crate::simulation::{ListedTool, Profile, ToolSize, Tools, check_program, compensate_program};
 
 /// A program that was read and understood; `Program` of `types.d.ts` holds one.
@@ -88,6 +90,22 @@ impl ProgramHandle {
         let options = settings.into_options(self.profile);
         let path = compensate_program(&self.interpretation, &tools, &options);
         ToolPathHandle::new(path, Numbering::plain())
+    }
+
+    /// `[text, diagnostics as JSON]` of the program as it is programmed, compensation left to the
+    /// control; the arguments are those of `ToolPathHandle.emit`.
+    #[must_use]
+    pub fn emit(
+        &self,
+        target: &str,
+        tolerance: f64,
+        native: bool,
+        feed: Option<f64>,
+        clearance: Option<f64>,
+        explain: bool,
+    ) -> Vec<String> {
+        let options = emit_options(target, tolerance, native, feed, clearance, explain);
+        written(&programmed_path(&self.interpretation), &options, &Numbering::plain())
     }
 
     /// The gouges of `path`, as JSON; what is less deep than `tolerance` [mm] is none. The tools are

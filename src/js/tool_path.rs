@@ -102,17 +102,38 @@ impl ToolPathHandle {
         clearance: Option<f64>,
         explain: bool,
     ) -> Vec<String> {
-        let options = EmitOptions {
-            target: Target::named(target).unwrap_or_default(),
-            tolerance,
-            splines: if native { SplineOutput::Native } else { SplineOutput::Arcs },
-            feed: feed.map(per_second),
-            clearance,
-            explain,
-        };
-        let Emitted { text, diagnostics } = emit(&self.path, &options);
-        vec![text, diagnostics_json(&diagnostics, &self.numbering)]
+        let options = emit_options(target, tolerance, native, feed, clearance, explain);
+        written(&self.path, &options, &self.numbering)
     }
+}
+
+/// The options of writing a program, as JavaScript gives them.
+pub(super) fn emit_options(
+    target: &str,
+    tolerance: f64,
+    native: bool,
+    feed: Option<f64>,
+    clearance: Option<f64>,
+    explain: bool,
+) -> EmitOptions {
+    EmitOptions {
+        target: Target::named(target).unwrap_or_default(),
+        tolerance,
+        splines: if native { SplineOutput::Native } else { SplineOutput::Arcs },
+        feed: feed.map(per_second),
+        clearance,
+        explain,
+    }
+}
+
+/// `[text, diagnostics as JSON]` of a path as a program.
+pub(super) fn written(
+    path: &ToolPath,
+    options: &EmitOptions,
+    numbering: &Numbering,
+) -> Vec<String> {
+    let Emitted { text, diagnostics } = emit(path, options);
+    vec![text, diagnostics_json(&diagnostics, numbering)]
 }
 
 /// The items from one index to another, as far as there are any.

@@ -286,6 +286,15 @@ export class Program {
    * @param tolerance largest distance of a chord from its curve [mm]; default 0.001
    */
   polylines(tolerance?: number): Polylines;
+  /**
+   * The program as it is programmed, G41 and G42 with their D words kept: for a control that is to
+   * compensate itself (`"fanuc-0m"`, `"fanuc-6m"`, `"linuxcnc"`).
+   *
+   * @throws {G41Error} `"bad-argument"`
+   */
+  gcode(options?: GcodeOptions): string;
+  /** The same with what was found while writing it. */
+  emit(options?: GcodeOptions): Emitted;
   /** Gives the memory back now; the handle cannot be used after it. */
   [Symbol.dispose](): void;
 }

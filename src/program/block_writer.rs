@@ -80,6 +80,8 @@ impl BlockWriter {
     }
 
     pub(super) fn finish(mut self) -> String {
+        let prefix = std::mem::take(&mut self.prefix);
+        self.words(&prefix);
         if self.facts.tape {
             self.text.push_str("%\n");
         }

@@ -157,7 +157,7 @@ impl Passing {
         line: &mut String,
         value: f64,
         parameters: &[Token],
-        out: &BlockWriter,
+        out: &mut BlockWriter,
         origin: Origin,
     ) {
         let number = tenths(value);
@@ -165,8 +165,22 @@ impl Passing {
         if matches!(number, 430..=440) {
             self.no_length = !known;
         }
-        if !known {
+        if !known && matches!(number, 410..=421) {
+            self.complete = false;
+            let message = "the target knows no compensation, and the path is the contour itself";
+            self.tell(
+                Diagnostic::error("not-compensated", message)
+                    .with_origin(origin)
+                    .with_hint("compensate the program first, or write it for a control that does"),
+            );
+        } else if !known && number == 400 {
+            // Nothing is on.
+        } else if !known {
             self.left_out('G', value, origin);
+        } else if matches!(number, 400..=421) {
+            let mut words = String::new();
+            push_command(&mut words, 'G', value, parameters, out);
+            out.prefix(&words);
         } else if number == 490 && self.no_length {
             // What it would end has not begun.
             self.no_length = false;

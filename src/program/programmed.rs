@@ -1,0 +1,110 @@
+//! A program as it is programmed: its contours with the words that leave compensation to the control
+//! that will run it.
+
+use super::items::{Item, ProgrammedContour, RadiusSource};
+use super::number::push_word;
+use super::run::Interpretation;
+use crate::contour::{
+    Attributes, AuxiliaryWords, EventKind, Lead, Move, MoveCurve, Role, Side, ToolPath,
+};
+use crate::diagnostic::Origin;
+use crate::geometry::{Curve, Line};
+
+/// The path of the programmed contours themselves, G41 or G42 before each and G40 behind it, for a
+/// control that compensates itself ([`emit`](super::emit) writes it).
+#[must_use]
+pub fn programmed_path(interpretation: &Interpretation) -> ToolPath {
+    let mut path = ToolPath::default();
+    path.diagnostics.clone_from(&interpretation.diagnostics);
+    for item in &interpretation.items {
+        match item {
+            Item::Free(free) => path.moves.push(*free),
+            Item::Words { words, reset, origin } => path.words.push(AuxiliaryWords {
+                before: path.moves.len(),
+                words: words.clone(),
+                reset: *reset,
+                origin: *origin,
+            }),
+            Item::Contour(programmed) => contour(programmed, &mut path),
+        }
+    }
+    path
+}
+
+fn contour(programmed: &ProgrammedContour, path: &mut ToolPath) {
+    let contour = &programmed.contour;
+    let [on, off] =
+        programmed.blocks.map(|line| Origin::Block { line, number: None, column: None });
+    words(path, switch_on(programmed), on);
+    if let Some(lead) = contour.lead_in() {
+        lead_move(path, lead, Role::LeadIn, |lead| Line::new(lead, contour.start()));
+    }
+    let mut events = contour.events().iter().peekable();
+    for index in 0..=contour.segments().len() {
+        while let Some(event) = events.next_if(|event| event.before <= index) {
+            match &event.kind {
+                EventKind::Words(text) => words(path, text.clone(), event.origin),
+                EventKind::Vertical(attributes) => {
+                    let at = match index.checked_sub(1).and_then(|i| contour.segments().get(i)) {
+                        Some(segment) => segment.curve.end(),
+                        None => contour.start(),
+                    };
+                    push(path, MoveCurve::Vertical(at), Role::Segment, attributes);
+                }
+                EventKind::Stop => {}
+            }
+        }
+        let Some(segment) = contour.segments().get(index) else { break };
+        match &segment.curve {
+            Curve::Line(line) => {
+                push(path, MoveCurve::Line(*line), Role::Segment, &segment.attributes);
+            }
+            Curve::Arc(arc) => push(path, MoveCurve::Arc(*arc), Role::Segment, &segment.attributes),
+            Curve::Spline(spline) => {
+                for cubic in spline.pieces() {
+                    push(path, MoveCurve::Cubic(*cubic), Role::Segment, &segment.attributes);
+                }
+            }
+        }
+    }
+    words(path, String::from("G40"), off);
+    if let Some(lead) = contour.lead_out() {
+        lead_move(path, lead, Role::LeadOut, |lead| Line::new(contour.end(), lead));
+    }
+}
+
+/// The words that switch compensation on.
+fn switch_on(programmed: &ProgrammedContour) -> String {
+    let left = programmed.side == Side::Left;
+    let mut text = String::new();
+    match programmed.radius {
+        RadiusSource::Tool(number) => {
+            text.push_str(if left { "G41 " } else { "G42 " });
+            push_word(&mut text, 'D', f64::from(number));
+        }
+        RadiusSource::Given(radius) => {
+            text.push_str(if left { "G41.1 " } else { "G42.1 " });
+            push_word(&mut text, 'D', 2.0 * radius);
+        }
+    }
+    text
+}
+
+fn words(path: &mut ToolPath, words: String, origin: Origin) {
+    path.words.push(AuxiliaryWords { before: path.moves.len(), words, reset: None, origin });
+}
+
+fn lead_move<E>(
+    path: &mut ToolPath,
+    lead: &Lead,
+    role: Role,
+    line: impl Fn(glam::DVec2) -> Result<Line, E>,
+) {
+    let curve = line(lead.point).map_or(MoveCurve::Vertical(lead.point), MoveCurve::Line);
+    push(path, curve, role, &lead.attributes);
+}
+
+fn push(path: &mut ToolPath, curve: MoveCurve, role: Role, attributes: &Attributes) {
+    let Attributes { origin, feed, rapid, plane, heights, .. } = *attributes;
+    path.moves.push(Move { curve, role, rapid, feed, plane, heights, origin });
+}

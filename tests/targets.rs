@@ -1,0 +1,241 @@
+//! Programs written for each target: its own words, numbers and comments, and what it does not know.
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use g41::compensation::{CornerStyle, GougePolicy, Options};
+use g41::contour::ToolPath;
+use g41::diagnostic::Severity;
+use g41::program::{
+    Dialect, EmitOptions, Emitted, Interpretation, Program, Rules, SplineOutput, Target, emit,
+    interpret, programmed_path,
+};
+use g41::simulation::{Tools, compensate_program};
+
+fn read(text: &str) -> Interpretation {
+    interpret(&Program::parse(text, Dialect::Auto), Rules::default())
+}
+
+fn path_of(text: &str, radius: f64) -> ToolPath {
+    compensate_program(&read(text), &Tools::all(radius), &Options::default())
+}
+
+fn write(text: &str, target: Target) -> Emitted {
+    emit(&path_of(text, 0.0), &EmitOptions { target, ..EmitOptions::default() })
+}
+
+fn lines(text: &str) -> Vec<&str> {
+    text.lines().collect()
+}
+
+/// A program with words of every kind.
+const WORDS: &str = "(O12)\nG21 G90 G17\nT2 M6 (drill)\nG43 H2\nS1500 M3\nM8\nG0 X5 Y5 Z2.5\n\
+                     G1 Z-1 F60.5\nG4 P0.25\nG61\nX10\nG54\nM9\nM30\n";
+
+#[test]
+fn linuxcnc_gets_all_words_as_they_are() {
+    let written = write(WORDS, Target::LinuxCnc);
+    assert!(written.diagnostics.is_empty(), "{written:?}");
+    let expected = [
+        "G21 G90 G91.1 G17 G40 G94",
+        "(O12)",
+        "T2 M6 (drill)",
+        "G43 H2",
+        "S1500 M3",
+        "M8",
+        "G0 X5 Y5 Z2.5",
+        "G1 Z-1 F60.5",
+        "G4 P0.25",
+        "G61",
+        "X10",
+        "G54",
+        "M9",
+        "M30",
+    ];
+    assert_eq!(lines(&written.text), expected, "{}", written.text);
+}
+
+#[test]
+fn grbl_waits_for_the_tool_and_is_told_what_it_misses() {
+    let written = write(WORDS, Target::Grbl);
+    let text = &written.text;
+    let found: Vec<_> = written.diagnostics.iter().map(|d| (d.code, d.severity)).collect();
+    let expected = [("tool-change", Severity::Info), ("left-out", Severity::Warning)];
+    assert_eq!(found, expected, "M6 and G43: {written:?}");
+    assert!(text.contains("T2\n(drill)\n(change to tool 2)\nM0\nS1500 M3\n"), "{text}");
+    assert!(!text.contains("G43") && !text.contains("M6"), "{text}");
+}
+
+#[test]
+fn fanuc_gets_points_numbers_and_capitals() {
+    let written = write(WORDS, Target::Fanuc0M);
+    let expected = [
+        "%",
+        "O0012",
+        "N10 G21 G17 G40 G49 G80 G90",
+        "N20 T2 M6 (DRILL)",
+        "N30 G43 H2",
+        "N40 S1500 M3",
+        "N50 M8",
+        "N60 G0 X5. Y5. Z2.5",
+        "N70 G1 Z-1. F61",
+        "N80 G4 X0.25",
+        "N90 G61",
+        "N100 X10.",
+        "N110 G54",
+        "N120 M9",
+        "N130 M30",
+        "%",
+    ];
+    assert_eq!(lines(&written.text), expected, "{}", written.text);
+    assert!(written.diagnostics.is_empty(), "{written:?}");
+}
+
+#[test]
+fn marlin_gets_one_command_in_a_line_and_every_motion_word() {
+    let written = write(WORDS, Target::Marlin);
+    let expected = [
+        "G21",
+        "G90",
+        ";O12",
+        ";drill",
+        ";change to tool 2",
+        "M0",
+        "M3 S1500",
+        "M8",
+        "G0 X5 Y5 Z2.5",
+        "G1 Z-1 F60.5",
+        "G4 S0.25",
+        "G1 X10",
+        "M9",
+    ];
+    assert_eq!(lines(&written.text), expected, "{}", written.text);
+    let left_out: Vec<&str> = written
+        .diagnostics
+        .iter()
+        .filter(|found| found.code == "left-out")
+        .filter_map(|found| found.message.split(' ').next())
+        .collect();
+    assert_eq!(left_out, ["T2", "G43", "G61", "G54"], "{written:?}");
+}
+
+#[test]
+fn smoothieware_counts_dwells_in_seconds_and_waits_in_its_own_way() {
+    let text = write(WORDS, Target::Smoothieware).text;
+    assert!(text.contains("\nM600\n") && text.contains("\nG4 S0.25\n"), "{text}");
+}
+
+#[test]
+fn a_program_without_a_frame_gets_that_of_the_control() {
+    for (target, frame) in [(Target::Fanuc0M, "N20 G54"), (Target::Fanuc6M, "N20 G92 X0. Y0. Z0.")]
+    {
+        let written = write("G0 X1 Y1\nG1 X5 F100\nM2\n", target);
+        assert_eq!(lines(&written.text)[3], frame, "{}", written.text);
+        assert_eq!(written.diagnostics[0].code, "frame-added", "{written:?}");
+        let own = write("G55\nG0 X1 Y1\nG1 X5 F100\nM2\n", target);
+        assert_eq!(lines(&own.text)[3], "N20 G55", "{}", own.text);
+    }
+}
+
+#[test]
+fn arcs_say_their_plane_when_it_changes() {
+    let program = "G17 G0 X0 Y0 Z0\nG1 X10 F300\nG3 X20 Y10 J10\nG18 G2 X30 Z-10 K-10\n\
+                   G19 G3 Y20 Z0 K10\nG2 Y30 Z10 R10\nG17 G2 X40 Y40 I10\nM2\n";
+    let text = write(program, Target::Grbl).text;
+    let expected = [
+        "G21 G90 G17 G94",
+        "G0 X0 Y0 Z0",
+        "G1 X10 F300",
+        "G3 X20 Y10 J10",
+        "G18 G2 X30 Z-10 K-10",
+        "G19 G3 Y20 Z0 K10",
+        "G2 Y30 Z10 J10",
+        "G17 X40 Y40 I10",
+        "M2",
+    ];
+    assert_eq!(lines(&text), expected, "{text}");
+    // Marlin as delivered knows none but the first plane.
+    let text = write(program, Target::Marlin).text;
+    assert!(!text.contains("G18") && !text.contains('K'), "{text}");
+    // Sagitta 1e-3 less rounding, 10 mm: a quarter circle takes at least 59 chords.
+    assert!(lines(&text).len() > 3 * 59, "{} lines", lines(&text).len());
+}
+
+#[test]
+fn inserted_moves_tell_why_they_are_there() {
+    let program =
+        "G0 X-10 Y-10\nG1 Z-1 F100\nG41 D1 X0 Y0\nX40 Y10\nX0 Y20\nX-10\nG40 X-20 Y30\nM2\n";
+    let explained = |target, options: &Options| {
+        let path = compensate_program(&read(program), &Tools::all(3.0), options);
+        emit(&path, &EmitOptions { target, explain: true, ..EmitOptions::default() }).text
+    };
+    let avoid = Options { gouge: GougePolicy::Avoid, ..Options::default() };
+    for options in [Options::default(), avoid] {
+        let text = explained(Target::Grbl, &options);
+        assert!(text.contains("(lead-in: compensation is switched on)\n"), "{text}");
+        assert!(text.contains("(lead-out: compensation is switched off)\n"), "{text}");
+    }
+    let round = Options { corner: CornerStyle::Arc, ..Options::default() };
+    // On the right the tip is an outside corner; its sides enclose 2 atan(10/40) = 28.1 degrees.
+    let right = program.replace("G41", "G42");
+    let path = compensate_program(&read(&right), &Tools::all(3.0), &round);
+    let text = emit(&path, &EmitOptions { explain: true, ..EmitOptions::default() }).text;
+    assert!(text.contains("(inserted: corner of 28.1 deg at X40 Y10)\nG3 "), "{text}");
+    let fanuc = EmitOptions { target: Target::Fanuc0M, explain: true, ..EmitOptions::default() };
+    let text = emit(&path, &fanuc).text;
+    assert!(text.contains("\n(INSERTED: CORNER OF 28.1 DEG AT X40 Y10)\n"), "{text}");
+    let plain = emit(&path, &EmitOptions::default()).text;
+    assert!(!plain.contains('('), "only where it is asked for: {plain}");
+}
+
+#[test]
+fn a_control_that_compensates_gets_the_contour_with_its_words() {
+    let program = "%\nO3\nG54 G0 X-30 Y-10\nG43 H1 Z2 M8\nG1 Z-6 F80\nG41 D1 X0 Y0 F120\nY40\n\
+                   M9\nG2 X20 Y60 I20\nG1 X50\nG42 D2 Y40\nG40 X-30 Y-10\nM30\n%\n";
+    let path = programmed_path(&read(program));
+    let written = emit(&path, &EmitOptions { target: Target::Fanuc0M, ..EmitOptions::default() });
+    let text = &written.text;
+    for block in
+        ["G43 H1", "G41 D1 X0. Y0. F120", "Y40.", "M9", "G2 X20. Y60. I20.", "G40 X-30. Y-10."]
+    {
+        assert!(text.contains(&format!(" {block}\n")), "{block} is missing\n{text}");
+    }
+    assert!(written.diagnostics.iter().all(|d| d.severity < Severity::Error), "{written:?}");
+    // What it means is unchanged.
+    let again = programmed_path(&read(text));
+    let ends = |path: &ToolPath| -> Vec<_> { path.moves.iter().map(|m| m.curve.end()).collect() };
+    assert_eq!(ends(&again), ends(&path), "{text}");
+    // A controller without compensation must not run it unawares.
+    let grbl = emit(&path, &EmitOptions::default());
+    assert!(grbl.diagnostics.iter().any(|d| d.code == "not-compensated"), "{grbl:?}");
+    assert!(!grbl.text.contains("G41"), "{}", grbl.text);
+}
+
+#[test]
+fn cubics_are_native_on_demand_and_exact_up_to_rounding() {
+    let program = "G0 X0 Y0\nG1 X1 F100\nG05 X10 Y5\nX20 Y-3\nX30 Y0\nM2\n";
+    let path = path_of(program, 0.0);
+    let native = |target| {
+        let splines = SplineOutput::Native;
+        emit(&path, &EmitOptions { target, splines, ..EmitOptions::default() }).text
+    };
+    let text = native(Target::LinuxCnc);
+    let blocks =
+        lines(&text).iter().filter(|line| line.contains(" I") && line.contains(" Q")).count();
+    assert_eq!(blocks, 3, "one for each span\n{text}");
+    assert!(text.contains("\nG5 X10 Y5 I"), "{text}");
+    assert!(!native(Target::Grbl).contains("G5"), "grbl has none");
+    let arcs =
+        emit(&path, &EmitOptions { target: Target::LinuxCnc, ..EmitOptions::default() }).text;
+    assert!(!arcs.contains("G5"), "only on demand\n{arcs}");
+}
+
+#[test]
+fn block_numbers_begin_again_before_they_have_five_digits() {
+    let mut program = String::from("G0 X0 Y0\nG1 F100\n");
+    for i in 0..1200 {
+        program.push_str(if i % 2 == 0 { "X1\n" } else { "X2\n" });
+    }
+    let text = write(&program, Target::Fanuc0M).text;
+    assert!(text.contains("\nN9990 ") && !text.contains("\nN10000"), "{}", text.len());
+    assert_eq!(text.matches("\nN10 ").count(), 2, "from ten again");
+}
