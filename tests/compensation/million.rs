@@ -2,7 +2,8 @@
 //!
 //! All of them, or any range of seeds, with as many threads as there are cores:
 //! `G41_SEEDS=0..1000000 cargo test --release --test compensation million -- --ignored --nocapture`.
-//! `G41_BRUTE=N` looks at every Nth by brute force too; 100 unless told. A range of one seed prints
+//! `G41_BRUTE=N` looks at every Nth by brute force too; 100 unless told. `G41_PRINTED=N` prints that
+//! many faults of each kind, `G41_THREADS=N` works with that many threads. A range of one seed prints
 //! the case, less the segments without which it fails just the same.
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -53,7 +54,7 @@ mod whole {
     /// Longer than any contour of the families may take, on a machine that does other things too.
     const HANG: Duration = Duration::from_secs(10);
 
-    /// Faults printed of each kind in each family.
+    /// Faults printed of each kind in each family, unless `G41_PRINTED` tells.
     const PRINTED: u64 = 4;
 
     struct Run {
@@ -73,6 +74,7 @@ mod whole {
         /// Seeds given up on; their threads cannot be stopped.
         hanging: Vec<u64>,
         working: usize,
+        printed: u64,
     }
 
     impl Run {
@@ -113,7 +115,7 @@ mod whole {
             for (name, text) in found {
                 let count = self.faults.entry((family, name)).or_default();
                 *count += 1;
-                if *count <= PRINTED {
+                if *count <= self.printed {
                     println!("seed {seed}, {family}: {text}");
                 }
             }
@@ -200,7 +202,7 @@ mod whole {
             next: AtomicU64::new(seeds.start),
             end: seeds.end,
             brute: number("G41_BRUTE", 100).max(1),
-            state: Mutex::default(),
+            state: Mutex::new(State { printed: number("G41_PRINTED", PRINTED), ..State::default() }),
         });
         let start = || {
             run.state().working += 1;
