@@ -1,5 +1,7 @@
 //! Solving a corner: which transition two runs take, and how it comes out.
 
+use std::f64::consts::PI;
+
 use glam::DVec2;
 
 use super::run::Run;
@@ -14,6 +16,17 @@ use crate::geometry::in_range;
 /// Turns this near to ±180° may count as reversals [rad], however wide the tangent band is: a wider
 /// one would take slender inside corners for spikes.
 const MAX_REVERSAL_BAND: f64 = 0.01;
+
+/// Turns this near to ±180° are reversals but for rounding [rad]: flanks of 100 mm are a tenth of a
+/// thousandth of a micrometre apart.
+const ROUNDED_REVERSAL: f64 = 1e-9;
+
+/// Flanks that leave a corner at less than this may cross again near it [rad].
+const THIN: f64 = 0.5;
+
+/// Deepest that the flanks of a corner may cross near it and count as parted there already, as a
+/// part of the tolerance.
+const LENS_SHARE: f64 = 0.6;
 
 /// How far beyond V the textbook's intersection of leg and circle may lie, as a multiple of the
 /// way from the corner to V; farther off the circle only meets the leg elsewhere.
@@ -47,10 +60,42 @@ pub(super) fn corner_between(incoming: &Run, outgoing: &Run) -> Corner {
 
 /// Classifies a corner.
 pub(super) fn classify(corner: &Corner, tool: Tool, options: &Options) -> CornerKind {
+    classify_with(corner, tool, options, MAX_REVERSAL_BAND)
+}
+
+/// Classifies a corner of a contour that is looked at as a whole: what comes out of a slit or a
+/// spike is cut where the tool does not fit, so the thinnest are taken as they are. The second value
+/// is the depth up to which the flanks do not keep to that [mm].
+///
+/// Flanks that leave the corner at a small angle θ may bend together by κ = κ1 + κ2 and cross
+/// again. So far behind the corner as s they are `θs − κs²/2` apart: at most `θ²/2κ`, and they cross
+/// at `s = 2θ/κ`. Where that is nothing, and both are as long as `length` [mm] at least, the bend tells
+/// a spike from a slit.
+pub(super) fn classify_sharply(
+    corner: &Corner,
+    length: f64,
+    tool: Tool,
+    options: &Options,
+) -> (CornerKind, f64) {
+    if corner.incoming.dot(corner.outgoing) < 0.0 {
+        let turn = corner.turn();
+        let opening = PI - turn.abs();
+        // A left turn opens to the left, and flanks that bend to the left then close.
+        let bend = (corner.incoming_curvature + corner.outgoing_curvature) * turn.signum();
+        let depth = 0.5 * opening * opening / bend;
+        let closes = opening < THIN && 2.0 * opening < bend * length;
+        if closes && depth <= LENS_SHARE * options.usable_tolerance() {
+            return (corner.kind(tool.side(), THIN), depth);
+        }
+    }
+    (classify_with(corner, tool, options, ROUNDED_REVERSAL), 0.0)
+}
+
+fn classify_with(corner: &Corner, tool: Tool, options: &Options, most: f64) -> CornerKind {
     let band = options.band(tool.radius());
     match corner.kind(tool.side(), band) {
         CornerKind::Tangent => CornerKind::Tangent,
-        CornerKind::Transition { .. } => corner.kind(tool.side(), band.min(MAX_REVERSAL_BAND)),
+        CornerKind::Transition { .. } => corner.kind(tool.side(), band.min(most)),
     }
 }
 

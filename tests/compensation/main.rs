@@ -20,6 +20,7 @@ mod judged;
 mod leads;
 mod live;
 mod million;
+mod nearly;
 mod pockets;
 mod policies;
 mod proved;

@@ -4,7 +4,7 @@ use std::f64::consts::SQRT_2;
 use std::fmt;
 
 use g41::compensation::{CornerStyle, Options, avoid};
-use g41::contour::{Contour, Role, ToolPath};
+use g41::contour::{Contour, Role, Segment, ToolPath};
 use g41::geometry::{Curve, flatten_arc, flatten_cubic};
 use g41::gouge::check;
 use glam::DVec2;
@@ -16,8 +16,19 @@ use super::judge::{field_of, field_of_path, samples};
 /// true offset, and where it bends sharply a second is left for the ends.
 const REACH: f64 = 2.0;
 
+/// Part of the tolerance that a reachable place along splines has to spare: their offsets are as far
+/// off, and where two walls are nearly parallel that moves the place where a tool fits no more.
+const SPARE: f64 = 0.25;
+
+/// Segments shorter than this part of the tolerance are points: which side of them the tool is on
+/// nobody can tell.
+const POINT: f64 = 0.1;
+
 /// Chords nearer than this touch, in mm: twice their sagitta.
 const CLEAR: f64 = 2e-3;
+
+/// Flanks of a corner nearer than this are looked at closely, in mm.
+const NEAR: f64 = 0.02;
 
 /// What is wrong with a path.
 #[derive(Debug, Clone)]
@@ -152,9 +163,35 @@ fn is_simple(contour: &Contour) -> bool {
         }
     };
     let count = chords.len();
-    (0..count).all(|i| {
+    let segments = contour.segments();
+    (0..segments.len()).all(|i| {
+        let next = (i + 1) % segments.len();
+        !flanks_cross(&segments[i].curve, &segments[next].curve)
+    }) && (0..count).all(|i| {
         (i + 2..count).filter(|&j| i > 0 || j + 1 < count).all(|j| apart(chords[i], chords[j]))
     })
+}
+
+/// Whether two segments that follow each other cross again near their corner, nearer than chords
+/// tell or the coarsest tolerance of the families.
+fn flanks_cross(incoming: &Curve, outgoing: &Curve) -> bool {
+    let mut side = 0.0;
+    for k in 1..=400 {
+        let point = outgoing.point((f64::from(k) / 400.0).powi(3));
+        let foot = incoming.nearest(point);
+        let off = point - foot.point;
+        if foot.t == 1.0 || foot.t == 0.0 || off.length() > NEAR {
+            return false;
+        }
+        let now = incoming.tangent(foot.t).perp_dot(off);
+        if now.abs() > 1e-9 {
+            if now * side < 0.0 {
+                return true;
+            }
+            side = now;
+        }
+    }
+    false
 }
 
 fn by_brute_force(case: &Case, contour: &Contour, path: &ToolPath, faults: &mut Vec<Fault>) {
@@ -195,11 +232,14 @@ fn left_out(
     path: &ToolPath,
     field: &crate::common::oracle::Field,
 ) -> Option<Fault> {
-    let (radius, tolerance, sign) = (case.radius, case.tolerance, case.side.sign());
+    let (tolerance, sign) = (case.tolerance, case.side.sign());
+    let is_spline = |segment: &Segment| matches!(segment.curve, Curve::Spline(_));
+    let spare = if contour.segments().iter().any(is_spline) { SPARE * tolerance } else { 0.0 };
+    let radius = case.radius + spare;
     let on_path = field_of_path(path);
     let moves = path.moves.iter().any(|one| one.role != Role::Free);
     let mut worst: Option<Fault> = None;
-    let mut farthest = REACH * tolerance;
+    let mut farthest = REACH * tolerance + spare;
     let mut try_centers = |centers: &[DVec2]| {
         // Coordinates of some hundred millimetres hold fourteen digits after all these steps.
         let reachable: Vec<bool> = centers
@@ -233,6 +273,12 @@ fn left_out(
             continue;
         }
         let next = &segments[(i + 1) % segments.len()];
+        // Where flanks cross again a spike is a slit but for its tip.
+        if segment.curve.length().min(next.curve.length()) < POINT * tolerance
+            || flanks_cross(&segment.curve, &next.curve)
+        {
+            continue;
+        }
         let (t1, t2) = (segment.curve.tangent(1.0), next.curve.tangent(0.0));
         let turn = t1.angle_to(t2);
         // A reversal may be an inside corner just as well; which, only the bends beside it tell.

@@ -52,6 +52,63 @@ pub(super) fn chains(
     chains
 }
 
+/// Removes the stretches of open chains where the tool fits exactly nowhere, of which `reaches`
+/// tells: between walls that are a little less than the tool apart, and lead nowhere. So it does with
+/// those of up to `stray` [mm] of which both ends got lost. Returns whether there were any.
+pub(super) fn remove_unreached(
+    work: &Workpiece,
+    stretches: &mut Vec<Stretch>,
+    chains: &[Chain],
+    stray: f64,
+    reaches: &mut dyn FnMut(&Stretch) -> bool,
+) -> bool {
+    let mut dead = Vec::new();
+    for chain in chains {
+        let list = &chain.stretches;
+        let length = |&k: &usize| {
+            let Stretch { piece, from, to, .. } = stretches[k];
+            work.pieces[piece].curve.length() * (to - from)
+        };
+        let is_stray =
+            lost_ends(work, stretches, chain) == 2 && list.iter().map(length).sum::<f64>() <= stray;
+        if !chain.closed && (is_stray || !list.iter().any(|&k| reaches(&stretches[k]))) {
+            dead.resize(stretches.len(), false);
+            for &k in list {
+                dead[k] = true;
+            }
+        }
+    }
+    if dead.is_empty() {
+        return false;
+    }
+    let mut k = 0;
+    stretches.retain(|_| {
+        k += 1;
+        !dead[k - 1]
+    });
+    true
+}
+
+/// How many ends of a chain are neither an end of an open contour nor where the other side or the
+/// free end of one stands in the way; nothing can be there but where a closed contour crosses
+/// itself.
+pub(super) fn lost_ends(work: &Workpiece, stretches: &[Stretch], chain: &Chain) -> usize {
+    let list = &chain.stretches;
+    let (first, last) = (&stretches[list[0]], &stretches[list[list.len() - 1]]);
+    let starts = first.start.is_some() || first.from > 0.0 && is_closed(work, first);
+    let ends = last.end.is_some() || last.to < 1.0 && is_closed(work, last);
+    if chain.closed {
+        0
+    } else {
+        usize::from(starts || first.starts_from_nothing(work))
+            + usize::from(ends || last.ends_in_nothing(work))
+    }
+}
+
+fn is_closed(work: &Workpiece, stretch: &Stretch) -> bool {
+    work.range_of(work.pieces[stretch.piece].unit as usize).closed
+}
+
 /// For each stretch the one that follows it, and whether it follows one.
 fn links(
     work: &Workpiece,

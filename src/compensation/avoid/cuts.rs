@@ -14,9 +14,12 @@ use crate::geometry::sort_long;
 /// on both.
 pub(super) const SAME_PLACE: f64 = 1e-7;
 
-/// Places examined on a stretch between two cuts; on a short one that is not cut at all the first
+/// Places examined on a stretch between two cuts; on a short one that is not cut at all the middle
 /// alone, since its neighbours are examined too.
-const EXAMINED: [f64; 3] = [0.5, 0.25, 0.75];
+const EXAMINED: [f64; 3] = [0.02, 0.5, 0.98];
+
+/// Halvings of a part of a stretch until a place is known to a millionth of it.
+const HALVINGS: u32 = 20;
 
 /// What counts as short, as a part of the tool radius.
 const SHORT: f64 = 0.05;
@@ -31,6 +34,42 @@ pub(super) struct Stretch {
     pub(super) start: Option<u32>,
     /// The crossing at its end, if one is there.
     pub(super) end: Option<u32>,
+}
+
+impl Stretch {
+    /// Appends its clear part.
+    ///
+    /// Mostly it is clear all along or nowhere. Where paths touch, or cross at no angle to speak of,
+    /// a cut may be missing: the place between two of those examined is found by halving, and numbered
+    /// as a crossing of its own. Beside a cut everything may count as clear, so the middle counts.
+    fn examine(
+        mut self,
+        is_clear: &mut dyn FnMut(f64) -> bool,
+        flips: &mut u32,
+        parts: &mut Vec<Self>,
+    ) {
+        let [first, middle, last] = EXAMINED.map(|k| self.from + (self.to - self.from) * k);
+        if !is_clear(middle) {
+            return;
+        }
+        for (end, at_end) in [(first, false), (last, true)] {
+            if is_clear(end) {
+                continue;
+            }
+            let (mut clear, mut gouged) = (middle, end);
+            for _ in 0..HALVINGS {
+                let between = 0.5 * (clear + gouged);
+                *(if is_clear(between) { &mut clear } else { &mut gouged }) = between;
+            }
+            if at_end {
+                (self.to, self.end) = (clear, Some(*flips));
+            } else {
+                (self.from, self.start) = (clear, Some(*flips));
+            }
+            *flips += 1;
+        }
+        parts.push(self);
+    }
 }
 
 /// A cut of a piece.
@@ -71,21 +110,26 @@ impl Survey<'_> {
                 (stretches[k].end, stretches[next].start) = (place, place);
             }
         }
-        let places = |stretch: &Stretch| {
-            let curve = &self.work.pieces[stretch.piece].curve;
+        let mut kept = Vec::with_capacity(stretches.len());
+        let mut flips = crossings;
+        for stretch in stretches {
+            if self.fates[stretch.piece] == Fate::Clear {
+                kept.push(stretch);
+                continue;
+            }
+            let Piece { curve, unit, .. } = &self.work.pieces[stretch.piece];
+            let mut is_clear = |t: f64| clearance.is_clear(curve.point(t), *unit as usize);
             let whole = stretch.from == 0.0 && stretch.to == 1.0;
             let size = curve.hull_bounds().size().max_element();
-            if whole && size <= SHORT * self.radius { 1 } else { EXAMINED.len() }
-        };
-        stretches.retain(|stretch| {
-            let Piece { curve, unit, .. } = &self.work.pieces[stretch.piece];
-            self.fates[stretch.piece] == Fate::Clear
-                || EXAMINED[..places(stretch)].iter().all(|k| {
-                    let t = stretch.from + (stretch.to - stretch.from) * k;
-                    clearance.is_clear(curve.point(t), *unit as usize)
-                })
-        });
-        stretches
+            if whole && size <= SHORT * self.radius {
+                if is_clear(0.5) {
+                    kept.push(stretch);
+                }
+            } else {
+                stretch.examine(&mut is_clear, &mut flips, &mut kept);
+            }
+        }
+        kept
     }
 
     /// All cuts, and the number of crossings.

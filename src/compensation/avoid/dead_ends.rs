@@ -2,14 +2,21 @@
 //!
 //! Past a crossing a strand becomes too near only gradually, so a stretch there may still count as
 //! clear and end where nothing goes on. Where another strand leaves the same crossing the tool is to
-//! follow that; and the same at starts, the other way round.
+//! follow that; and the same at starts, the other way round. Between walls that are nearly parallel
+//! and a little less than the tool apart all of a strand may count as clear.
 
 use super::cuts::{Stretch, following};
 use super::units::Workpiece;
 use crate::geometry::sort_long;
 
-/// Removes dead ends of up to `longest` [mm].
-pub(super) fn remove_dead_ends(work: &Workpiece, stretches: &mut Vec<Stretch>, longest: f64) {
+/// Removes dead ends of up to `longest` [mm], and longer ones where `reaches` says of no stretch
+/// that the tool fits there exactly.
+pub(super) fn remove_dead_ends(
+    work: &Workpiece,
+    stretches: &mut Vec<Stretch>,
+    longest: f64,
+    reaches: &mut dyn FnMut(&Stretch) -> bool,
+) {
     let count = stretches.len();
     let mut next = vec![None; count];
     let mut previous = vec![None; count];
@@ -34,21 +41,21 @@ pub(super) fn remove_dead_ends(work: &Workpiece, stretches: &mut Vec<Stretch>, l
         let stretch = &stretches[k];
         if next[k].is_none() && stretch.end.is_none() && stretch.ends_in_nothing(work) {
             let walk = Walk { stretches, work, back: &previous, here: &starts, longest };
-            walk.mark(k, |s| s.start, &mut dead);
+            walk.mark(k, |s| s.start, reaches, &mut dead);
         }
         if previous[k].is_none() && stretch.start.is_none() && stretch.starts_from_nothing(work) {
             let walk = Walk { stretches, work, back: &next, here: &ends, longest };
-            walk.mark(k, |s| s.end, &mut dead);
+            walk.mark(k, |s| s.end, reaches, &mut dead);
         }
         // A crossing that nothing else leaves, or that nothing else comes to, is the same.
         let alone = |list: &[(u32, usize)], place: u32| at(list, place).next().is_none();
         if next[k].is_none() && stretch.end.is_some_and(|place| alone(&starts, place)) {
             let walk = Walk { stretches, work, back: &previous, here: &starts, longest };
-            walk.mark(k, |s| s.start, &mut dead);
+            walk.mark(k, |s| s.start, reaches, &mut dead);
         }
         if previous[k].is_none() && stretch.start.is_some_and(|place| alone(&ends, place)) {
             let walk = Walk { stretches, work, back: &next, here: &ends, longest };
-            walk.mark(k, |s| s.end, &mut dead);
+            walk.mark(k, |s| s.end, reaches, &mut dead);
         }
     }
     let mut k = 0;
@@ -97,15 +104,29 @@ struct Walk<'a> {
 
 impl Walk<'_> {
     /// Marks what leads from the nearest crossing with another way to the dead end at stretch `k`.
-    fn mark(&self, mut k: usize, place: impl Fn(&Stretch) -> Option<u32>, dead: &mut [bool]) {
+    fn mark(
+        &self,
+        mut k: usize,
+        place: impl Fn(&Stretch) -> Option<u32>,
+        reaches: &mut dyn FnMut(&Stretch) -> bool,
+        dead: &mut [bool],
+    ) {
         let first = k;
         let mut length = 0.0;
+        // The farthest one asked about.
+        let mut asked = None;
         loop {
             let stretch = &self.stretches[k];
             let curve = &self.work.pieces[stretch.piece].curve;
             length += curve.length() * (stretch.to - stretch.from);
-            if length > self.longest || dead[k] {
+            if dead[k] {
                 return;
+            }
+            while length > self.longest && asked != Some(k) {
+                asked = asked.map_or(Some(first), |k| self.back[k]);
+                if asked.is_none_or(|k| reaches(&self.stretches[k])) {
+                    return;
+                }
             }
             let another = |other: usize| other != k && !dead[other];
             if place(stretch).is_some_and(|place| at(self.here, place).any(another)) {

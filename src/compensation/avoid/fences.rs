@@ -96,13 +96,15 @@ fn corners_beside(work: &Workpiece, unit: usize) -> Vec<crate::contour::Corner> 
     let mut corners = Vec::new();
     if let Some(gap) = after(unit).filter(|&at| is_break(at))
         && let Some(next) = after(gap)
+        && let (Some(incoming), Some(outgoing)) = (work.curve(unit), work.curve(next))
     {
-        corners.push(corner_of(work.segment(unit), work.segment(next)));
+        corners.push(corner_of(&incoming, &outgoing));
     }
     if let Some(gap) = before(unit).filter(|&at| is_break(at))
         && let Some(last) = before(gap)
+        && let (Some(incoming), Some(outgoing)) = (work.curve(last), work.curve(unit))
     {
-        corners.push(corner_of(work.segment(last), work.segment(unit)));
+        corners.push(corner_of(&incoming, &outgoing));
     }
     corners
 }

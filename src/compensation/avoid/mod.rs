@@ -8,8 +8,11 @@
 //!    each other and where the other side and the free ends of the contour become too near (`cuts`,
 //!    `fences`). Between two cuts a piece is either clear of the contour all along or too near all
 //!    along, so a few places tell.
-//! 4. What is clear is strung together at the crossings (`chains`) and made into moves (`stitch`).
+//! 4. What is clear is strung together at the crossings (`chains`), without what leads nowhere
+//!    (`dead_ends`), and made into moves (`stitch`).
 //! 5. What was cut out bounds the material that is not reached (`uncut`).
+//! 6. Where walls are exactly a tool apart, or nearly parallel, an end may find nothing to go on with:
+//!    then a tool that is smaller by a part of the tolerance, which leaves it the rest, is tried.
 
 mod chains;
 mod cuts;
@@ -23,8 +26,8 @@ pub(super) mod tree;
 mod uncut;
 mod units;
 
-use self::chains::chains;
-use self::cuts::Survey;
+use self::chains::{chains, lost_ends, remove_unreached};
+use self::cuts::{Stretch, Survey};
 use self::dead_ends::remove_dead_ends;
 use self::sieve::{Clearance, Fate, sieve};
 use self::stitch::Stitcher;
@@ -60,8 +63,21 @@ const DEAD_END: f64 = 4.0;
 /// Part of the tolerance by which a bridge between two stretches may be too near.
 const BRIDGE_SHARE: f64 = 0.9;
 
+/// Part of the tolerance by which a place may be too near beyond that, where gaps were closed.
+const GAP_SHARE: f64 = 0.6;
+
 /// The slack where there are only lines and arcs, whose offsets are exact [mm].
 const EXACT: f64 = 1e-7;
+
+/// Longest piece of path that may get lost on both ends and be left out, in tolerances.
+const STRAY: f64 = 10.0;
+
+/// The slack of a tool that is said to fit exactly [mm].
+const ROUNDING: f64 = 1e-9;
+
+/// Parts of the tolerance by which the tool is taken to be smaller where the path got lost: what
+/// touched exactly, or crossed at no angle to speak of, hardly does so for two radii.
+const SMALLER: [f64; 2] = [0.5, 0.3];
 
 /// The path of the centre of `tool` along `contour` without what it cannot reach.
 ///
@@ -111,33 +127,50 @@ pub(super) fn clear_path(
     has_spline: bool,
 ) -> ToolPath {
     let jobs: Vec<Job> = stretches.iter().map(|contour| Job { contour, tool }).collect();
-    clear_jobs(&jobs, tool.radius(), options, has_spline, false)
+    clear_jobs(&jobs, tool.radius(), options, has_spline, false).0
 }
 
 fn avoid_jobs(jobs: &[Job], radius: f64, options: &Options) -> ToolPath {
     let has_spline = |job: &Job| {
         job.contour.segments().iter().any(|segment| matches!(segment.curve, Curve::Spline(_)))
     };
-    clear_jobs(jobs, radius, options, jobs.iter().any(has_spline), true)
+    let (mut path, mut lost) = clear_jobs(jobs, radius, options, jobs.iter().any(has_spline), true);
+    for share in SMALLER {
+        if lost == 0 {
+            break;
+        }
+        let less = (share * options.usable_tolerance()).min(share * radius);
+        let (radius, tolerance) = (radius - less, options.usable_tolerance() - less);
+        let mut smaller = Vec::with_capacity(jobs.len());
+        for job in jobs {
+            let tool = Tool::new(radius, job.tool.side()).unwrap_or(job.tool);
+            smaller.push(Job { tool, ..*job });
+        }
+        let finer = Options { tolerance, ..*options };
+        let (other, still_lost) = clear_jobs(&smaller, radius, &finer, true, true);
+        if still_lost < lost {
+            (path, lost) = (other, still_lost);
+        }
+    }
+    path
 }
 
+/// The path, and the ends of its pieces that got lost.
 fn clear_jobs(
     jobs: &[Job],
     radius: f64,
     options: &Options,
     has_spline: bool,
     tells_uncut: bool,
-) -> ToolPath {
+) -> (ToolPath, usize) {
     let finest = jobs.iter().map(|job| finest_tolerance(job.contour, job.tool)).fold(0.0, f64::max);
     let tolerance = options.usable_tolerance().max(finest);
     let options = &Options { tolerance, spline: SplineMethod::Exact, ..*options };
     let (mut work, nodes) = Workpiece::new(jobs, options);
     let tree = OrderTree::new(nodes);
-    let slack = if has_spline {
-        CLEAR_SHARE * tolerance
-    } else {
-        EXACT.max(finest).min(CLEAR_SHARE * tolerance)
-    };
+    let loose = CLEAR_SHARE * tolerance;
+    let slack = if has_spline { loose } else { EXACT.max(finest).min(loose) };
+    let slack = slack + work.gap.min(GAP_SHARE * tolerance);
     let least = radius - slack;
     let marks = tree.marks(&work.ranges, Limits { reach: radius + tolerance, least });
     let mut fates = sieve(&work, &marks, &mut Clearance::new(&work, &tree, least), tolerance);
@@ -156,10 +189,20 @@ fn clear_jobs(
         Survey { work: &work, tree: &tree, marks: &marks, fates: &fates, radius, tolerance: finer };
     let mut stretches = survey.clear_stretches(&mut clearance);
     let short = DEAD_END * (radius * tolerance).sqrt();
-    remove_dead_ends(&work, &mut stretches, short);
+    let mut exact = Clearance::new(&work, &tree, radius - finest.max(ROUNDING));
+    let mut reaches = |stretch: &Stretch| {
+        fates[stretch.piece] == Fate::Clear || exact.fits_along(stretch, radius)
+    };
+    remove_dead_ends(&work, &mut stretches, short, &mut reaches);
     let mut bridges = Clearance::new(&work, &tree, radius - BRIDGE_SHARE * tolerance);
     // Short enough for a few places to tell whether a bridge is clear.
-    let chains = chains(&work, &stretches, short.min(0.25 * radius), &mut bridges);
+    let gap = short.min(0.25 * radius);
+    let mut chained = chains(&work, &stretches, gap, &mut bridges);
+    let stray = STRAY * tolerance;
+    if remove_unreached(&work, &mut stretches, &chained, stray, &mut reaches) {
+        chained = chains(&work, &stretches, gap, &mut bridges);
+    }
+    let lost = chained.iter().map(|chain| lost_ends(&work, &stretches, chain)).sum();
     let mut stitcher = Stitcher {
         work: &work,
         stretches: &stretches,
@@ -168,10 +211,10 @@ fn clear_jobs(
         builder: PathBuilder::default(),
         events: vec![0; jobs.len()],
     };
-    stitcher.build(&chains);
+    stitcher.build(&chained);
     let mut path = stitcher.builder.path;
     if !tells_uncut {
-        return path;
+        return (path, lost);
     }
     // The outline of a region need not be as fine as the path.
     let outline = tolerance.max(OUTLINE * radius);
@@ -191,5 +234,5 @@ fn clear_jobs(
                 .with_hint("use a smaller tool, or the other side"),
         );
     }
-    path
+    (path, lost)
 }

@@ -6,11 +6,12 @@
 
 use glam::DVec2;
 
+use super::cuts::Stretch;
 use super::octants::Octants;
 use super::tree::{Marks, OrderTree};
-use super::units::{Kind, Workpiece};
+use super::units::{Kind, Piece, Workpiece};
 use crate::contour::MoveCurve;
-use crate::geometry::{Bounds, Cubic};
+use crate::geometry::{Bounds, Cubic, direction};
 
 /// Units to each side that are looked at to find the tame stretch around one.
 const TAME_REACH: usize = 24;
@@ -49,6 +50,20 @@ impl<'a> Clearance<'a> {
         } else {
             Fate::Open
         }
+    }
+
+    /// Whether a tool of `radius` [mm] that touches the contour beside a stretch fits in between.
+    ///
+    /// Offsets of splines are off by a part of the tolerance, so it is put to the contour itself.
+    pub(super) fn fits_along(&mut self, stretch: &Stretch, radius: f64) -> bool {
+        let Piece { curve, unit, .. } = &self.work.pieces[stretch.piece];
+        let unit = *unit as usize;
+        let Some(beside) = self.work.curve(unit) else { return false };
+        [0.25, 0.5, 0.75].iter().any(|k| {
+            let point = curve.point(stretch.from + (stretch.to - stretch.from) * k);
+            let foot = beside.nearest(point).point;
+            direction(point - foot).is_some_and(|out| self.is_clear(foot + out * radius, unit))
+        })
     }
 
     /// Whether `point` of the path of `unit` is far enough from all of the contour.

@@ -6,7 +6,7 @@ use super::chains::Chain;
 use super::cuts::{SAME_PLACE, Stretch};
 use super::sieve::Clearance;
 use super::units::{Kind, OutsideCorner, Workpiece, corner_of};
-use crate::compensation::corner::classify;
+use crate::compensation::corner::classify_sharply;
 use crate::compensation::path::{PathBuilder, between};
 use crate::compensation::run::part;
 use crate::compensation::transition::CornerFrame;
@@ -162,6 +162,17 @@ impl Stitcher<'_> {
         {
             *line = longer;
         }
+        // A loop may close over a gap too.
+        let moves = &self.builder.path.moves[first_move..];
+        if let ([first, ..], [.., last]) = (moves, moves)
+            && chain.closed
+            && last.curve.end().distance(first.curve.start()) > SAME_PLACE
+            && let Ok(line) = Line::new(last.curve.end(), first.curve.start())
+        {
+            let (role, attributes) = (last.role, self.work.segment(self.unit(list[0])).attributes);
+            let z = attributes.z[0];
+            self.builder.piece(MoveCurve::Line(line), role, &attributes, [z; 2]);
+        }
     }
 
     /// Appends a move of a chain whose first move has the index `first`; a gap to the move before,
@@ -294,9 +305,12 @@ impl Stitcher<'_> {
             return;
         }
         let (incoming, outgoing) = (self.work.segment(a), self.work.segment(b));
-        let corner = corner_of(incoming, outgoing);
+        let (Some(last), Some(first)) = (self.work.curve(a), self.work.curve(b)) else { return };
+        let corner = corner_of(&last, &first);
         let tool = self.tool(a);
-        if let CornerKind::Transition { kind, angle } = classify(&corner, tool, self.options) {
+        if let (CornerKind::Transition { kind, angle }, _) =
+            classify_sharply(&corner, last.length().min(first.length()), tool, self.options)
+        {
             let mut construction = CornerFrame::new(&corner, tool).construction();
             construction.push(("V", self.point(after, false)));
             let attributes = between(&incoming.attributes, &outgoing.attributes);

@@ -8,7 +8,7 @@ use glam::DVec2;
 
 use super::octants::{Octants, octants_of_arc};
 use super::tree::{Node, Range};
-use crate::compensation::corner::classify;
+use crate::compensation::corner::classify_sharply;
 use crate::compensation::offset::{
     ArcOffset, Tolerances, offset_arc, offset_line, offset_span_roughly,
 };
@@ -17,8 +17,8 @@ use crate::compensation::{LeadStyle, Options};
 use crate::contour::{Contour, Corner, CornerKind, MoveCurve, Segment, Tool, TransitionKind};
 use crate::geometry::{Arc, Bounds, Cubic, Curve, MIN_LENGTH, direction, perp};
 
-/// Shortest segment that shapes the path, as a part of the tolerance.
-const SHORTEST: f64 = 1e-3;
+/// Segments that lead no farther than this shape no path of their own, as a part of the tolerance.
+const SHORTEST: f64 = 0.1;
 
 /// How near the offset of a span is made where it is going to be cut or dropped, as a part of the
 /// span's length.
@@ -93,6 +93,8 @@ pub(super) struct Workpiece<'a> {
     pub(super) corners: Vec<OutsideCorner>,
     /// The units of each contour.
     pub(super) ranges: Vec<Range>,
+    /// The widest gap in a raw path, or in what it follows, that was closed [mm].
+    pub(super) gap: f64,
 }
 
 impl<'a> Workpiece<'a> {
@@ -106,6 +108,7 @@ impl<'a> Workpiece<'a> {
             pieces: Vec::with_capacity(count),
             corners: Vec::new(),
             ranges: Vec::with_capacity(jobs.len()),
+            gap: 0.0,
         };
         let mut maker = Maker { work, nodes: Vec::with_capacity(count), scratch: Vec::new() };
         for (index, job) in (0..).zip(jobs) {
@@ -169,7 +172,11 @@ impl<'a> Workpiece<'a> {
             };
             if let Some(cubic) = cubic {
                 let offset = self.jobs[self.units[unit].job as usize].tool.offset();
-                let inside = self.units[unit].span > 0;
+                // The first span of a spline goes on from nothing.
+                let inside = unit > 0 && {
+                    let (last, this) = (&self.units[unit - 1], &self.units[unit]);
+                    last.kind == Kind::Segment && last.segment == this.segment
+                };
                 scratch.clear();
                 let tight = rough(&cubic, tolerance);
                 let tolerances = Tolerances { tight, ..Tolerances::even(tolerance) };
@@ -214,6 +221,7 @@ impl<'a> Workpiece<'a> {
                 next <= unit + 1 && b > a || b <= a && unit + 1 == range.to && next == range.from;
             if direct && gap > 0.0 && gap <= tolerance {
                 pieces[b].curve = with_start(&pieces[b].curve, end);
+                self.gap = self.gap.max(gap);
             }
             let joins = gap <= 2.0 * MIN_LENGTH || direct && gap <= tolerance;
             pieces[a].next = if joins { base + index(b) } else { NONE };
@@ -257,36 +265,44 @@ impl Maker<'_> {
     fn job(&mut self, number: u32, job: &Job, options: &Options) {
         let (contour, tool) = (job.contour, job.tool);
         let segments = contour.segments();
-        let kept = shaping(segments, options.usable_tolerance());
+        let shortest = SHORTEST * options.usable_tolerance();
+        let kept = shaping(segments, shortest);
+        if kept.len() < segments.len() {
+            // A run of short ones before the start of the contour, and one behind it.
+            self.work.gap = self.work.gap.max(2.0 * shortest);
+        }
+        let ends = |segment: usize| ends(&segments[segment].curve, shortest);
         let first_unit = self.work.units.len();
         let mut unit = Unit { kind: Kind::Break, job: number, segment: 0, span: 0, pieces_end: 0 };
         if options.lead == LeadStyle::Textbook
             && let Some(lead) = contour.lead_in()
             && let Some(along) = direction(contour.start() - lead.point)
         {
+            let first = ends(kept[0])[0];
             let corner = Corner {
                 point: contour.start(),
                 incoming: along,
-                outgoing: segments[0].curve.tangent(0.0),
+                outgoing: first.tangent(0.0),
                 incoming_curvature: 0.0,
-                outgoing_curvature: segments[0].curve.curvature(0.0),
+                outgoing_curvature: curvature(&first, 0.0),
             };
-            self.corner(unit, corner, tool, options);
+            self.corner(unit, corner, first.length(), tool, options);
         }
         for (k, &i) in kept.iter().enumerate() {
             let segment = &segments[i];
             unit.segment = index(i);
             self.segment(unit, segment, tool, options);
+            let last = ends(i)[1];
             let next = kept.get(k + 1).or(kept.first().filter(|_| job.is_closed()));
-            let corner = if let Some(&next) = next {
-                Some(corner_of(segment, &segments[next]))
-            } else if options.lead == LeadStyle::Textbook {
-                contour.lead_out().and_then(|lead| corner_to(segment, lead.point))
-            } else {
-                None
-            };
-            if let Some(corner) = corner {
-                self.corner(unit, corner, tool, options);
+            if let Some(&next) = next {
+                let first = ends(next)[0];
+                let length = last.length().min(first.length());
+                self.corner(unit, corner_of(&last, &first), length, tool, options);
+            } else if options.lead == LeadStyle::Textbook
+                && let Some(lead) = contour.lead_out()
+                && let Some(corner) = corner_to(&last, lead.point)
+            {
+                self.corner(unit, corner, last.length(), tool, options);
             }
         }
         let to = self.work.units.len();
@@ -336,9 +352,14 @@ impl Maker<'_> {
             Curve::Spline(spline) => {
                 let mut before = None;
                 let mut scratch = std::mem::take(&mut self.scratch);
-                for (span, cubic) in (0..).zip(spline.pieces()) {
+                let fitting = options.usable_tolerance();
+                let spans = shaping_spans(spline.pieces(), SHORTEST * fitting);
+                if spans.len() < spline.pieces().len() {
+                    self.work.gap = self.work.gap.max(2.0 * SHORTEST * fitting);
+                }
+                for span in spans {
+                    let cubic = &spline.pieces()[span];
                     scratch.clear();
-                    let fitting = options.usable_tolerance();
                     let coarse = rough(cubic, fitting);
                     let tolerances = Tolerances { fitting, beside_cusps: coarse, tight: coarse };
                     let fits = offset_span_roughly(cubic, offset, tolerances, before, &mut scratch);
@@ -350,18 +371,25 @@ impl Maker<'_> {
                     let octants = Octants::of_cubic(cubic);
                     let fits = fits && octants.is_narrow();
                     let contour = cubic.hull_bounds();
-                    self.add(Unit { span, ..unit }, Node { contour, path, octants, fits });
+                    self.add(
+                        Unit { span: index(span), ..unit },
+                        Node { contour, path, octants, fits },
+                    );
                 }
                 self.scratch = scratch;
             }
         }
     }
 
-    /// The way round a corner behind a segment, where there is one.
-    fn corner(&mut self, unit: Unit, corner: Corner, tool: Tool, options: &Options) {
-        let CornerKind::Transition { kind, angle } = classify(&corner, tool, options) else {
+    /// The way round a corner behind a segment, where there is one; `length` is that of the shorter
+    /// curve at it [mm].
+    fn corner(&mut self, unit: Unit, corner: Corner, length: f64, tool: Tool, options: &Options) {
+        let (CornerKind::Transition { kind, angle }, depth) =
+            classify_sharply(&corner, length, tool, options)
+        else {
             return;
         };
+        self.work.gap = self.work.gap.max(depth);
         if kind == TransitionKind::Shortened {
             self.add(unit, Node::BREAK);
             return;
@@ -380,16 +408,25 @@ impl Maker<'_> {
     }
 }
 
-/// The segments that shape the path, by their indices: those so short that nobody could tell are
-/// points, and would make corners of their own where there is one.
-fn shaping(segments: &[Segment], tolerance: f64) -> Vec<usize> {
-    let shapes = |&i: &usize| match &segments[i].curve {
-        Curve::Line(line) => line.length() >= SHORTEST * tolerance,
-        Curve::Arc(arc) => arc.length() >= SHORTEST * tolerance,
-        Curve::Spline(_) => true,
-    };
-    let all = 0..segments.len();
-    if all.clone().any(|i| shapes(&i)) { all.filter(shapes).collect() } else { all.collect() }
+/// The segments that shape the path, by their indices.
+///
+/// Those that lead no farther than `shortest` [mm] from the end of the last one kept are points: a
+/// corner at each of their ends would turn far, and often there and back, where there is one.
+fn shaping(segments: &[Segment], shortest: f64) -> Vec<usize> {
+    let mut kept = Vec::with_capacity(segments.len());
+    let mut end = segments[0].curve.start();
+    for (index, Segment { curve, .. }) in segments.iter().enumerate() {
+        let is_point = match curve {
+            Curve::Line(line) => line.length() < shortest,
+            Curve::Arc(arc) => arc.length() < shortest,
+            Curve::Spline(_) => false,
+        };
+        if !is_point || curve.end().distance(end) >= shortest {
+            kept.push(index);
+            end = curve.end();
+        }
+    }
+    if kept.is_empty() { (0..segments.len()).collect() } else { kept }
 }
 
 /// The arc about a corner.
@@ -402,26 +439,64 @@ pub(super) fn corner_arc(
     Arc::from_center(from, to, corner.point, clockwise, f64::INFINITY).ok().map(MoveCurve::Arc)
 }
 
-/// The corner between two segments.
-pub(super) fn corner_of(incoming: &Segment, outgoing: &Segment) -> Corner {
-    Corner {
-        point: incoming.curve.end(),
-        incoming: incoming.curve.tangent(1.0),
-        outgoing: outgoing.curve.tangent(0.0),
-        incoming_curvature: incoming.curve.curvature(1.0),
-        outgoing_curvature: outgoing.curve.curvature(0.0),
+/// The spans that shape the path of a spline: the first and the last ones are points where they
+/// lead no farther than `shortest` [mm] from the end that they are at.
+fn shaping_spans(spans: &[Cubic], shortest: f64) -> std::ops::Range<usize> {
+    let (mut from, mut to) = (0, spans.len());
+    let (start, end) = (spans[0].start(), spans[to - 1].end());
+    let is_point = |span: &Cubic| span.hull_length() < shortest;
+    while from + 1 < to && is_point(&spans[from]) && spans[from].end().distance(start) < shortest {
+        from += 1;
+    }
+    while from + 1 < to
+        && is_point(&spans[to - 1])
+        && spans[to - 1].start().distance(end) < shortest
+    {
+        to -= 1;
+    }
+    from..to
+}
+
+/// The first and the last part of a segment that shape the path.
+fn ends(curve: &Curve, shortest: f64) -> [MoveCurve; 2] {
+    match curve {
+        Curve::Line(line) => [MoveCurve::Line(*line); 2],
+        Curve::Arc(arc) => [MoveCurve::Arc(*arc); 2],
+        Curve::Spline(spline) => {
+            let spans = shaping_spans(spline.pieces(), shortest);
+            [spans.start, spans.end - 1].map(|span| MoveCurve::Cubic(spline.pieces()[span]))
+        }
     }
 }
 
-/// The corner between the last segment and the lead-out.
-fn corner_to(incoming: &Segment, to: DVec2) -> Option<Corner> {
-    let point = incoming.curve.end();
+fn curvature(curve: &MoveCurve, t: f64) -> f64 {
+    match curve {
+        MoveCurve::Line(_) | MoveCurve::Vertical(_) => 0.0,
+        MoveCurve::Arc(arc) => arc.curvature(),
+        MoveCurve::Cubic(cubic) => cubic.curvature(t),
+    }
+}
+
+/// The corner between two curves.
+pub(super) fn corner_of(incoming: &MoveCurve, outgoing: &MoveCurve) -> Corner {
+    Corner {
+        point: incoming.end(),
+        incoming: incoming.tangent(1.0),
+        outgoing: outgoing.tangent(0.0),
+        incoming_curvature: curvature(incoming, 1.0),
+        outgoing_curvature: curvature(outgoing, 0.0),
+    }
+}
+
+/// The corner between the end of the contour and the lead-out.
+fn corner_to(incoming: &MoveCurve, to: DVec2) -> Option<Corner> {
+    let point = incoming.end();
     let outgoing = direction(to - point)?;
     Some(Corner {
         point,
-        incoming: incoming.curve.tangent(1.0),
+        incoming: incoming.tangent(1.0),
         outgoing,
-        incoming_curvature: incoming.curve.curvature(1.0),
+        incoming_curvature: curvature(incoming, 1.0),
         outgoing_curvature: 0.0,
     })
 }
