@@ -20,6 +20,7 @@ mod dead_ends;
 mod fences;
 mod index;
 pub(super) mod octants;
+mod points;
 mod sieve;
 mod stitch;
 pub(super) mod tree;

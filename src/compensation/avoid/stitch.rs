@@ -170,8 +170,8 @@ impl Stitcher<'_> {
             && let Ok(line) = Line::new(last.curve.end(), first.curve.start())
         {
             let (role, attributes) = (last.role, self.work.segment(self.unit(list[0])).attributes);
-            let z = attributes.z[0];
-            self.builder.piece(MoveCurve::Line(line), role, &attributes, [z; 2]);
+            let height = attributes.heights[0];
+            self.builder.piece(MoveCurve::Line(line), role, &attributes, [height; 2]);
         }
     }
 

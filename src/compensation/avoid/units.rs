@@ -7,6 +7,7 @@
 use glam::DVec2;
 
 use super::octants::{Octants, octants_of_arc};
+use super::points::{SHORTEST, ends, shaping, shaping_spans};
 use super::tree::{Node, Range};
 use crate::compensation::corner::classify_sharply;
 use crate::compensation::offset::{
@@ -16,9 +17,6 @@ use crate::compensation::run::with_start;
 use crate::compensation::{LeadStyle, Options};
 use crate::contour::{Contour, Corner, CornerKind, MoveCurve, Segment, Tool, TransitionKind};
 use crate::geometry::{Arc, Bounds, Cubic, Curve, MIN_LENGTH, direction, perp};
-
-/// Segments that lead no farther than this shape no path of their own, as a part of the tolerance.
-const SHORTEST: f64 = 0.1;
 
 /// How near the offset of a span is made where it is going to be cut or dropped, as a part of the
 /// span's length.
@@ -408,27 +406,6 @@ impl Maker<'_> {
     }
 }
 
-/// The segments that shape the path, by their indices.
-///
-/// Those that lead no farther than `shortest` [mm] from the end of the last one kept are points: a
-/// corner at each of their ends would turn far, and often there and back, where there is one.
-fn shaping(segments: &[Segment], shortest: f64) -> Vec<usize> {
-    let mut kept = Vec::with_capacity(segments.len());
-    let mut end = segments[0].curve.start();
-    for (index, Segment { curve, .. }) in segments.iter().enumerate() {
-        let is_point = match curve {
-            Curve::Line(line) => line.length() < shortest,
-            Curve::Arc(arc) => arc.length() < shortest,
-            Curve::Spline(_) => false,
-        };
-        if !is_point || curve.end().distance(end) >= shortest {
-            kept.push(index);
-            end = curve.end();
-        }
-    }
-    if kept.is_empty() { (0..segments.len()).collect() } else { kept }
-}
-
 /// The arc about a corner.
 pub(super) fn corner_arc(
     from: DVec2,
@@ -437,36 +414,6 @@ pub(super) fn corner_arc(
     clockwise: bool,
 ) -> Option<MoveCurve> {
     Arc::from_center(from, to, corner.point, clockwise, f64::INFINITY).ok().map(MoveCurve::Arc)
-}
-
-/// The spans that shape the path of a spline: the first and the last ones are points where they
-/// lead no farther than `shortest` [mm] from the end that they are at.
-fn shaping_spans(spans: &[Cubic], shortest: f64) -> std::ops::Range<usize> {
-    let (mut from, mut to) = (0, spans.len());
-    let (start, end) = (spans[0].start(), spans[to - 1].end());
-    let is_point = |span: &Cubic| span.hull_length() < shortest;
-    while from + 1 < to && is_point(&spans[from]) && spans[from].end().distance(start) < shortest {
-        from += 1;
-    }
-    while from + 1 < to
-        && is_point(&spans[to - 1])
-        && spans[to - 1].start().distance(end) < shortest
-    {
-        to -= 1;
-    }
-    from..to
-}
-
-/// The first and the last part of a segment that shape the path.
-fn ends(curve: &Curve, shortest: f64) -> [MoveCurve; 2] {
-    match curve {
-        Curve::Line(line) => [MoveCurve::Line(*line); 2],
-        Curve::Arc(arc) => [MoveCurve::Arc(*arc); 2],
-        Curve::Spline(spline) => {
-            let spans = shaping_spans(spline.pieces(), shortest);
-            [spans.start, spans.end - 1].map(|span| MoveCurve::Cubic(spline.pieces()[span]))
-        }
-    }
 }
 
 fn curvature(curve: &MoveCurve, t: f64) -> f64 {
