@@ -132,7 +132,10 @@ impl Course {
                 self.close(open, None, ContourEnd::Off, report);
                 self.state = State::On(Open::new(switched, at, None, self.rules));
             }
-            State::Ending(open) => self.close(open, None, ContourEnd::Off, report),
+            State::Ending(open) => {
+                self.close(open, None, ContourEnd::Off, report);
+                self.needs_a_line = self.rules.any_lead;
+            }
             state => self.state = state,
         }
     }

@@ -85,6 +85,10 @@ impl Interpreter {
         if !hits {
             return;
         }
+        if self.rules.is_strict && self.course.switched().is_some() {
+            self.refuse("a cycle may not be while compensation is on", block.start());
+            return;
+        }
         if !self.course.is_free() || self.modal.feed.is_inverse_time() {
             let what = if self.course.is_free() { "under G93" } else { "with compensation on" };
             let at = block.start();

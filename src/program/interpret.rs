@@ -128,6 +128,9 @@ impl Interpreter {
             );
             words.take_all(GEOMETRY);
         }
+        if self.is_refused {
+            return Flow::End;
+        }
         self.not_understood(block, &words);
         if stops {
             self.course.stop(block.origin());

@@ -72,9 +72,10 @@ impl Interpreter {
             }
             demands.groups |= 1 << group;
         }
-        if let GWord::Inches(_) | GWord::Length(_) | GWord::RetractToR(_) | GWord::PassedOn(_) =
-            meaning
+        if let GWord::Length(_) | GWord::RetractToR(_) | GWord::PassedOn(_) = meaning
+            && !block.words.iter().any(|word| word.letter == 'G' && word.value == 40.0)
         {
+            // G40 in the same block comes first.
             self.not_while_on(block, word);
         }
         let modal = &mut self.modal;
@@ -184,13 +185,17 @@ impl Interpreter {
         if self.course.is_free() {
             return;
         }
+        let (at, _) = plane.unwrap_or(self.modal.plane).split(self.modal.position);
+        if self.rules.any_lead && self.course.switched().is_none() {
+            self.course.break_off(at, &mut self.report);
+            return;
+        }
         self.error(
             "changed-while-on",
             format!("{what} changes while compensation is on"),
             block.origin_at(column),
             "the contour ends here; switch compensation off with G40 before",
         );
-        let (at, _) = plane.unwrap_or(self.modal.plane).split(self.modal.position);
         self.course.break_off(at, &mut self.report);
     }
 }

@@ -21,12 +21,20 @@ impl Interpreter {
     ) {
         let number = words.take('D');
         let origin = block.origin_at(demand.map(|(_, w)| w).or(number).map_or(1, |w| w.column));
-        if self.rules.is_strict
-            && matches!(demand, Some((Compensation::Tool(_) | Compensation::Diameter(_), _)))
-            && self.course.switched().is_some()
-        {
-            self.refuse("compensation is on already", origin);
-            return;
+        let switches_on =
+            matches!(demand, Some((Compensation::Tool(_) | Compensation::Diameter(_), _)));
+        if self.rules.is_strict && switches_on {
+            let fault = if self.course.switched().is_some() {
+                Some("compensation is on already")
+            } else if self.modal.plane == Plane::Yz {
+                Some("in the plane G19 nothing is compensated")
+            } else {
+                None
+            };
+            if let Some(fault) = fault {
+                self.refuse(fault, origin);
+                return;
+            }
         }
         if self.rules.spindle_tool {
             self.modal.radius_number = None;

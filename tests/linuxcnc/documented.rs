@@ -119,13 +119,87 @@ fn without_a_tool_in_the_spindle_nothing_is_compensated() {
     );
 }
 
-/// Absolute and incremental words, R form, helices, a lead-in arc, outside corners of every kind,
+/// A lathe in G18: the same profile without a tool, with one that points down and towards the
+/// chuck (2), and back along it with one that points towards the chuck (7).
+#[test]
+fn lathe_profile_both_ways() {
+    assert_moves(
+        "G20 G64 G18 F30
+        T0 M6
+        G0 X0.3 Z0
+        G40
+        G1 X0.1
+        G3 X0 Z0.1 R0.1
+        G1 Z1
+        G2 R0.25 X-0.25 Z1.25
+        G3 R0.25 X-0.5 Z1.5
+        G1 Z1.75
+        G0 X0.3
+        T2 M6
+        G0 Z0
+        G41
+        G1 X0.1
+        G3 X0 Z0.1 R0.1
+        G1 Z1
+        G2 R0.25 X-0.25 Z1.25
+        G3 R0.25 X-0.5 Z1.5
+        G1 Z1.75
+        G40
+        G0 X0.3
+        T7 M6
+        G0 Z1.85
+        G0 X-0.3
+        G42
+        G1 X-0.4
+        G2 X-0.5 Z1.75 R0.1
+        G1 Z1.5
+        G2 R0.25 X-0.25 Z1.25
+        G3 R0.25 X0 Z1
+        G1 Z0.1
+        G2 R0.1 X0.1 Z0
+        G40
+        G0 X0.3
+        M2",
+        &[(2, 0.1, 2), (7, 0.1, 7)],
+        INCH,
+        "G0 0.3 0 0
+        G1 0.1 0 0
+        G3 0 0 0.1 0.1 0.1
+        G1 0 0 1
+        G2 -0.25 0 1.25 1 -0.25
+        G3 -0.5 0 1.5 1.5 -0.25
+        G1 -0.5 0 1.75
+        G0 0.3 0 1.75
+        G0 0.3 0 0
+        G1 0.05 0 0
+        G3 0 0 0.05 0.05 0.05
+        G1 0 0 0.95
+        G2 -0.3 0 1.25 0.95 -0.3
+        G3 -0.5 0 1.45 1.45 -0.3
+        G1 -0.5 0 1.7
+        G0 0.3 0 1.75
+        G0 0.3 0 1.85
+        G0 -0.3 0 1.85
+        G1 -0.4 0 1.75
+        G2 -0.45 0 1.7 1.7 -0.4
+        G1 -0.45 0 1.45
+        G2 -0.25 0 1.25 1.45 -0.25
+        G3 0.05 0 0.95 0.95 -0.25
+        G1 0.05 0 0.05
+        G2 0.1 0 0 0.05 0.1
+        G0 0.3 0 0",
+    );
+}
+
+/// Absolute and incremental words, G92, R form, helices, a lead-in arc, outside corners of every kind,
 /// and a rapid move up at the end that stays beside the part.
 #[test]
 fn every_outside_corner_after_an_arc_in_r_form() {
     assert_moves(
         "G20 T3 M6 F100
-        G0 X2 Y0 Z0.5
+        G0 X1 Y0 Z1
+        G92 Z0.5
+        X2 Y0
         G41
         G3 X1 Y0 R0.70710678118 Z0
         G91 G2 X-1 Y1 R1
@@ -134,10 +208,12 @@ fn every_outside_corner_after_an_arc_in_r_form() {
         G90 X1 Y0 Z0
         G0 Z1
         G40
+        G92.1
         M2",
         &[(3, 0.25, 0)],
         INCH,
-        "G0 2 0 0.5
+        "G0 1 0 1
+        G0 2 0 0.5
         G3 1.0884 -0.0884 0 1.5979 -0.5979
         G2 1 -0.125 0 1 0
         G2 -0.125 1 0 1 1

@@ -6,7 +6,7 @@ use super::run::{end, errors, run};
 use glam::DVec3;
 
 /// A program up to its fault, the code of the error, its line, and where the path ends.
-const CASES: [(&str, &str, u32, [f64; 2]); 13] = [
+const CASES: [(&str, &str, u32, [f64; 2]); 24] = [
     // The step of 0.1 is shorter than what two inside corners take of it.
     (
         "G21 G0 X0 Y0 F10\nG41.1 D0.25\nG1 X1\nG1 X2\nG1 Y0.1\nG1 X1\nG40\nG1 X2",
@@ -30,6 +30,17 @@ const CASES: [(&str, &str, u32, [f64; 2]); 13] = [
     ("G21 G0 X0 Y0 F10\nG41.1 D4\nG1 X9\nG1 X20\nT2 M6\nG1 X30", "refused", 5, [9.0, 2.0]),
     ("G21 G0 X0 Y0 F10\nG41.1 D4 L2\nG1 X9\nG1 X20", "refused", 2, [0.0, 0.0]),
     ("G21 T5 M6 G0 X0 Y0 F10\nG41\nG1 X9\nG1 X20", "refused", 2, [0.0, 0.0]),
+    ("G21 G0 X0 Y0 F10\nG41.1 D4\nG1 X9\nG1 X20\nG92 X0\nG1 X30", "refused", 5, [9.0, 2.0]),
+    ("G21 G0 X0 Y0 F10\nG41.1 D4\nG1 X9\nG1 X20\nG10 L2 P1 X5\nG1 X30", "refused", 5, [9.0, 2.0]),
+    ("G21 G0 X0 Y0 F10\nG41.1 D4\nG1 X9\nG1 X20\nG28\nG1 X30", "refused", 5, [9.0, 2.0]),
+    ("G21 G0 X0 Y0 F10\nG41.1 D4\nG1 X9\nG1 X20\nG53 G1 X3\nG1 X30", "refused", 5, [9.0, 2.0]),
+    ("G21 G0 X0 Y0 F10\nG41.1 D4\nG1 X9\nG1 X20\nG18\nG1 X30", "refused", 5, [9.0, 2.0]),
+    ("G21 G0 X0 Y0 F10\nG41.1 D4\nG1 X9\nG1 X20\nG64 P0.1\nG1 X30", "refused", 5, [9.0, 2.0]),
+    ("G21 G0 X0 Y0 F10\nG41.1 D4\nG1 X9\nG1 X20\nG99\nG1 X30", "refused", 5, [9.0, 2.0]),
+    ("G21 G0 X0 Y0 F10\nG41.1 D4\nG1 X9\nG1 X20\nG49\nG1 X30", "refused", 5, [9.0, 2.0]),
+    ("G21 G0 X0 Y0 F10\nG41.1 D4\nG1 X9\nG1 X20\nM62 P1\nG1 X30", "refused", 5, [9.0, 2.0]),
+    ("G21 G0 X0 Y0 F10\nG41.1 D4\nG1 X9\nG1 X20\nG81 X1 R2 Z-5\nG1 X30", "refused", 5, [9.0, 2.0]),
+    ("G21 G19 G0 X0 Y0 F10\nG41.1 D4\nG1 Y9\nG1 Y20", "refused", 2, [0.0, 0.0]),
     // Two arcs about one centre.
     (
         "G21 G0 X0 Y0 F10\nG41.1 D2\nG1 X9\nG3 X9 Y10 I0 J5\nG2 X9 Y0 I0 J-5\nG40\nG1 X0",
@@ -53,6 +64,13 @@ fn the_path_ends_before_the_move_that_was_not_sure() {
         let last = path.moves.last().map_or(DVec3::ZERO, end);
         assert!(last.truncate().distance(glam::DVec2::new(x, y)) < 1e-9, "{text}\nends at {last}");
     }
+}
+
+#[test]
+fn what_comes_after_g40_in_its_block_is_not_refused() {
+    let path = run("G21 G0 X0 Y0 F10\nG41.1 D4\nG1 X9\nG1 X20\nG40 G49 G64 P0.1\nG1 X30", &[]);
+    assert_eq!(errors(&path), [""; 0], "{:?}", path.diagnostics);
+    assert_eq!(path.moves.last().map(|last| end(last).x), Some(30.0), "{:?}", path.moves);
 }
 
 #[test]
