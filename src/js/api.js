@@ -2,33 +2,23 @@
 import { bad } from "./check.js";
 import { call } from "./lifecycle.js";
 import { LiveContour } from "./live.js";
-import {
-  contourCheckOptions,
-  contourOptions,
-  parseOptions,
-  programCheckOptions,
-  programOptions,
-  tolerance,
-} from "./options.js";
+import { contourCheckOptions, contourOptions, programCheckOptions, tolerance } from "./options.js";
 import { packContours } from "./pack.js";
 import { unpackPolylines } from "./polylines.js";
 import { Program, useProgram } from "./program.js";
+import { ProgramCompensation, ProgramReader } from "./slices.js";
 import { ToolPath, useToolPath } from "./tool_path.js";
 
 export { RECORD_STRIDE } from "./moves.js";
-export { LiveContour, Program, ToolPath };
+export { readToolTable } from "./tool_table.js";
+export { LiveContour, Program, ProgramCompensation, ProgramReader, ToolPath };
 
 /**
  * @param {string} text
  * @param {unknown} [options]
  */
 export function parseProgram(text, options) {
-  ready();
-  if (typeof text !== "string") {
-    bad(() => "text", "be a string");
-  }
-  const { dialect, profile, blockDelete } = parseOptions(options);
-  return new Program((glue) => glue.parseProgram(text, dialect, profile, blockDelete));
+  return new ProgramReader(text, options).finish();
 }
 
 /**
@@ -38,10 +28,7 @@ export function parseProgram(text, options) {
 export function compensate(contours, options) {
   ready();
   if (contours instanceof Program) {
-    const { tools, radius, settings } = programOptions(options);
-    return new ToolPath((glue) =>
-      useProgram(contours, (raw) => raw.compensate(tools, radius, new glue.Settings(...settings))),
-    );
+    return new ProgramCompensation(contours, options).finish();
   }
   const { side, radius, settings } = contourOptions(options);
   const records = packContours(contours);

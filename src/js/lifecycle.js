@@ -127,6 +127,20 @@ export class Handle {
     });
   }
 
+  /**
+   * Runs a call that uses up what is held.
+   *
+   * @template R
+   * @param {(raw: T, glue: Glue) => R} work
+   * @returns {R}
+   */
+  take(work) {
+    return this.use((raw, glue) => {
+      this.#raw = undefined;
+      return work(raw, glue);
+    });
+  }
+
   /** Frees what is held, once. */
   dispose() {
     const raw = this.#raw;

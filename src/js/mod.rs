@@ -21,6 +21,7 @@ mod program;
 mod programmed;
 mod report;
 mod settings;
+mod slices;
 mod tool_path;
 
 pub use argument::BadArgument;
@@ -31,10 +32,11 @@ pub use move_records::STRIDE as RECORD_STRIDE;
 pub use names::{CornerName, DialectName, GougeName, LeadName, ProfileName, SideName, SplineName};
 pub use numbering::Numbering;
 pub use polylines_handle::PolylinesHandle;
-pub use program::{ProgramHandle, parse_program};
+pub use program::ProgramHandle;
 pub use programmed::contours_json;
 pub use report::{diagnostics_json, gouges_json, loops_json, transitions_json, uncut_json};
 pub use settings::Settings;
+pub use slices::{CompensationHandle, ReaderHandle};
 pub use tool_path::ToolPathHandle;
 
 use wasm_bindgen::prelude::wasm_bindgen;

@@ -8,7 +8,7 @@ import { unpackPolylines } from "./polylines.js";
 /** @typedef {import("./g41.js").ProgramHandle} Raw */
 
 /**
- * Runs a call with what a program holds, for `compensate` alone.
+ * Runs a call with what a program holds, for those who compensate and judge it alone.
  *
  * @type {<R>(program: Program, work: (raw: Raw, glue: Glue) => R) => R}
  */
@@ -22,6 +22,8 @@ export class Program {
   #diagnostics;
   /** @type {Face["contours"] | undefined} */
   #contours;
+  /** @type {Face["tools"] | undefined} */
+  #tools;
 
   static {
     useProgram = (program, work) => program.#handle.use(work);
@@ -40,6 +42,11 @@ export class Program {
   get contours() {
     this.#contours ??= JSON.parse(this.#handle.use((raw) => raw.contours()));
     return /** @type {Face["contours"]} */ (this.#contours);
+  }
+
+  get tools() {
+    this.#tools ??= [...this.#handle.use((raw) => raw.tools())];
+    return this.#tools;
   }
 
   /** @param {number} [within] */

@@ -1,20 +1,16 @@
-//! Programs: reading them, and a handle of what was read.
+//! A handle of a program that was read.
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::argument::BadArgument;
-use super::names::{DialectName, ProfileName, dialect, profile};
 use super::numbering::Numbering;
 use super::polylines::Polylines;
 use super::polylines_handle::PolylinesHandle;
 use super::programmed::contours_json;
 use super::report::{diagnostics_json, gouges_json};
-use super::settings::Settings;
 use super::tool_path::{ToolPathHandle, emit_options, written};
-use crate::program::{
-    Interpretation, Item, Program, ProgrammedContour, Rules, interpret, programmed_path,
-};
-use crate::simulation::{ListedTool, Profile, ToolSize, Tools, check_program, compensate_program};
+use crate::program::{Interpretation, Item, ProgrammedContour, RadiusSource, programmed_path};
+use crate::simulation::{ListedTool, Profile, ToolSize, Tools, check_program};
 
 /// A program that was read and understood; `Program` of `types.d.ts` holds one.
 #[wasm_bindgen]
@@ -24,23 +20,22 @@ pub struct ProgramHandle {
     profile: Profile,
 }
 
-/// Reads a program. What was not understood is a diagnostic.
-#[wasm_bindgen(js_name = parseProgram)]
-#[must_use]
-pub fn parse_program(
-    text: &str,
-    dialect_name: Option<DialectName>,
-    profile_name: Option<ProfileName>,
-    block_delete: bool,
-) -> ProgramHandle {
-    let dialect = dialect_name.and_then(dialect).unwrap_or_default();
-    let profile = profile_name.and_then(profile).unwrap_or_default();
-    let rules = Rules { block_delete, ..profile.rules() };
-    let interpretation = interpret(&Program::parse(text, dialect), rules);
-    ProgramHandle { interpretation, profile }
-}
-
 impl ProgramHandle {
+    /// Holds what was read by the rules of `profile`.
+    pub(super) fn new(interpretation: Interpretation, profile: Profile) -> Self {
+        Self { interpretation, profile }
+    }
+
+    /// What it holds.
+    pub(super) fn interpretation(&self) -> &Interpretation {
+        &self.interpretation
+    }
+
+    /// The profile that `compensate` follows where it is told no other.
+    pub(super) fn profile(&self) -> Profile {
+        self.profile
+    }
+
     fn contours(&self) -> impl Iterator<Item = &ProgrammedContour> {
         self.interpretation.items.iter().filter_map(|item| match item {
             Item::Contour(contour) => Some(contour),
@@ -78,18 +73,18 @@ impl ProgramHandle {
         Ok(PolylinesHandle::new(polylines))
     }
 
-    /// The path with `tools`, as `tools.js` packs them, and `radius` for all others.
+    /// `tools`: the numbers of the tools that contours call.
     #[must_use]
-    pub fn compensate(
-        &self,
-        tools: &[f64],
-        radius: Option<f64>,
-        settings: Settings,
-    ) -> ToolPathHandle {
-        let tools = tool_table(tools, radius);
-        let options = settings.into_options(self.profile);
-        let path = compensate_program(&self.interpretation, &tools, &options);
-        ToolPathHandle::new(path, Numbering::plain())
+    pub fn tools(&self) -> Vec<u32> {
+        let mut numbers = Vec::new();
+        for programmed in self.contours() {
+            if let RadiusSource::Tool(number) = programmed.radius
+                && !numbers.contains(&number)
+            {
+                numbers.push(number);
+            }
+        }
+        numbers
     }
 
     /// `[text, diagnostics as JSON]` of the program as it is programmed, compensation left to the
@@ -126,7 +121,7 @@ impl ProgramHandle {
 
 /// The tools of four numbers each: its own, whether the next is a diameter in the unit of the program
 /// or else a radius [mm], that, and the orientation; and of `radius` for all others.
-fn tool_table(numbers: &[f64], radius: Option<f64>) -> Tools {
+pub(super) fn tool_table(numbers: &[f64], radius: Option<f64>) -> Tools {
     let mut tools = Tools { listed: Vec::new(), default_radius: radius };
     for tool in numbers.chunks_exact(4) {
         // The numbers are whole, as `tools.js` has checked.

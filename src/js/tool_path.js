@@ -1,4 +1,5 @@
 // The tool path as its user sees it: what the WebAssembly holds, unpacked when it is asked for.
+import { bad } from "./check.js";
 import { drawOn, svgData } from "./draw.js";
 import { coded, Handle } from "./lifecycle.js";
 import { unpackMoves } from "./moves.js";
@@ -75,8 +76,14 @@ export class ToolPath {
     return this.#uncut;
   }
 
-  records() {
-    return this.#handle.use((raw) => raw.records(0, everything));
+  get count() {
+    return this.#handle.use((raw) => raw.count());
+  }
+
+  records(from = 0, to = everything) {
+    index(from, "from");
+    index(to, "to");
+    return this.#handle.use((raw) => raw.records(from, to));
   }
 
   /** @param {number} [within] */
@@ -129,6 +136,16 @@ export class ToolPath {
   // Where the environment has no Symbol.dispose yet, this only has a name that nobody calls.
   [Symbol.dispose]() {
     this.#handle.dispose();
+  }
+}
+
+/**
+ * @param {unknown} value
+ * @param {string} name
+ */
+function index(value, name) {
+  if (!Number.isInteger(value) || Number(value) < 0 || Number(value) > everything) {
+    bad(() => name, "be an index of a move");
   }
 }
 

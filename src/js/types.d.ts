@@ -249,6 +249,37 @@ export type Profile = "g41" | "linuxcnc" | "fanuc" | "isg" | "sinumerik";
  */
 export function parseProgram(text: string, options?: ParseOptions): Program;
 
+/**
+ * Reads a program as `parseProgram` does, but a slice at a time, for a progress bar and for stopping
+ * on the way: a million blocks take seconds.
+ *
+ * ```js
+ * const reader = new ProgramReader(text);
+ * while (reader.step(20_000)) show(reader.progress);
+ * const program = reader.finish();
+ * ```
+ *
+ * A handle into the WebAssembly's memory: it frees itself when it is no longer reachable, or at the
+ * end of the block that declares it with `using`.
+ */
+export class ProgramReader {
+  /** @throws {G41Error} `"bad-argument"` */
+  constructor(text: string, options?: ParseOptions);
+  /** How much of the text was reached, from 0 to 1. */
+  readonly progress: number;
+  /**
+   * Reads up to so many blocks, those of loops and subprograms as often as they are run.
+   *
+   * @returns whether there are any left
+   * @throws {G41Error} `"bad-argument"`, `"disposed"`
+   */
+  step(blocks: number): boolean;
+  /** Reads what is left, and gives the program; the reader cannot be used after it. */
+  finish(): Program;
+  /** Gives the memory back now, also on the way; the handle cannot be used after it. */
+  [Symbol.dispose](): void;
+}
+
 /** A segment of a program. */
 export type ProgrammedSegment = Segment & {
   /** The block it comes from, the first where there are several. */
@@ -280,6 +311,8 @@ export class Program {
   readonly diagnostics: Diagnostic[];
   /** The contours between G41 or G42 and G40, in order. */
   readonly contours: ProgrammedContour[];
+  /** Numbers of the tools that its contours call, in the order in which they first do. */
+  readonly tools: number[];
   /**
    * The programmed contours as polylines: piece i is `contours[i]`.
    *
@@ -384,6 +417,22 @@ export type ToolSize = ({ radius: number } | { diameter: number }) & {
   orientation?: number;
 };
 
+/** The tools of a table, and what is wrong with it. */
+export interface ToolTable {
+  /** Tools by their number; one that has no diameter has no size, and is left out. */
+  tools: Record<number, ToolSize>;
+  /** Errors with their line, in `origin`; what such a line says is left out. */
+  diagnostics: Diagnostic[];
+}
+
+/**
+ * Reads a tool table in LinuxCNC's format: a tool in each line, `T1 P1 D6.0 Z+0.5 Q0 ;remark`, its
+ * words in any order. Needs no `init`.
+ *
+ * @throws {G41Error} `"bad-argument"`
+ */
+export function readToolTable(text: string): ToolTable;
+
 /** Options for programs. */
 export interface ProgramOptions extends CompensationOptions {
   /** Tools by their number, the D word or else the T word. */
@@ -438,6 +487,31 @@ export function compensate(
   contour: Contour | readonly Contour[] | ContourRecords,
   options?: ContourOptions,
 ): ToolPath;
+
+/**
+ * Compensates a program as `compensate` does, but a slice at a time. A contour is compensated as a
+ * whole, however long it is.
+ *
+ * A handle into the WebAssembly's memory: it frees itself when it is no longer reachable, or at the
+ * end of the block that declares it with `using`. The program must not be disposed of meanwhile.
+ */
+export class ProgramCompensation {
+  /** @throws {G41Error} `"bad-argument"`, `"not-supported"`, `"disposed"` */
+  constructor(program: Program, options?: ProgramOptions);
+  /** How much of the program was compensated, from 0 to 1. */
+  readonly progress: number;
+  /**
+   * Compensates about so many blocks.
+   *
+   * @returns whether there are any left
+   * @throws {G41Error} `"bad-argument"`, `"disposed"`
+   */
+  step(blocks: number): boolean;
+  /** Compensates what is left, and gives the path; the handle cannot be used after it. */
+  finish(): ToolPath;
+  /** Gives the memory back now, also on the way; the handle cannot be used after it. */
+  [Symbol.dispose](): void;
+}
 
 /** What a move is there for; `"free"` moves are not compensated. */
 export type Role = "segment" | "transition" | "lead-in" | "lead-out" | "free";
@@ -613,6 +687,8 @@ export class ToolPath {
   private constructor();
   /** The moves, in order. */
   readonly moves: Move[];
+  /** The number of moves. */
+  readonly count: number;
   /** The transitions at corners, in order. */
   readonly transitions: Transition[];
   /** What was found on the way; for a program, what was found while reading it comes first. */
@@ -651,8 +727,12 @@ export class ToolPath {
    * | 9, 10, 11 | from x, y, z |
    * | 12, 13, 14 | to x, y, z |
    * | 15, 16, 17, 18 | arc: center, radius, clockwise (0 or 1); cubic: control1, control2; points by the two axes of the plane; else 0 |
+   *
+   * @param from index of the first move; default 0
+   * @param to index behind the last; default all
+   * @throws {G41Error} `"bad-argument"`
    */
-  records(): Float64Array;
+  records(from?: number, to?: number): Float64Array;
   /** The path for a canvas, rapid moves apart; only where the environment has `Path2D`. */
   toPath2D(): Path2DOfEnvironment;
   /** The path as SVG path data (the `d` attribute), rapid moves apart, with y up. */

@@ -8,5 +8,5 @@ mod tools;
 
 pub use judge::check_program;
 pub use profile::Profile;
-pub use program_path::compensate_program;
+pub use program_path::{ProgramCompensation, compensate_program};
 pub use tools::{ListedTool, ToolSize, Tools};

@@ -25,48 +25,82 @@ pub fn compensate_program(
     tools: &Tools,
     options: &Options,
 ) -> ToolPath {
-    // Refused is the program as a whole, not each of its contours.
-    let gouge = match options.gouge {
-        GougePolicy::Stop => GougePolicy::Report,
-        policy => policy,
-    };
-    let each = Options { gouge, ..*options };
-    let mut course = Course::default();
-    course.path.diagnostics.clone_from(&interpretation.diagnostics);
-    for item in &interpretation.items {
-        match item {
-            Item::Free(free) => course.free(*free),
-            Item::Words { words, reset, origin } => {
-                let mut reset = *reset;
-                course.is_reset |= reset.is_some() && !words.is_empty();
-                // Where only axes are to be stated the tool stays where it is, maybe beside the
-                // contour.
-                if let (Some(reset), Some(at), false) =
-                    (&mut reset, course.position(), course.is_reset)
-                {
-                    reset.at = at;
-                }
-                course.path.words.push(AuxiliaryWords {
-                    before: course.path.moves.len(),
-                    words: words.clone(),
-                    reset,
-                    origin: *origin,
-                });
-            }
-            Item::Contour(programmed) => course.contour(programmed, tools, &each),
+    let mut compensation = ProgramCompensation::new(interpretation, tools.clone(), options);
+    while compensation.step(interpretation, usize::MAX) {}
+    compensation.finish()
+}
+
+/// A program on its way to its path, a slice at a time.
+#[derive(Debug)]
+pub struct ProgramCompensation {
+    course: Course,
+    tools: Tools,
+    /// As each contour is compensated: what is refused is the program as a whole.
+    each: Options,
+    is_refused: bool,
+    /// The next of the items, and how many blocks were done of how many.
+    next: usize,
+    done: usize,
+    total: usize,
+}
+
+impl ProgramCompensation {
+    /// A program before its first block.
+    #[must_use]
+    pub fn new(interpretation: &Interpretation, tools: Tools, options: &Options) -> Self {
+        let is_refused = options.gouge == GougePolicy::Stop;
+        let gouge = if is_refused { GougePolicy::Report } else { options.gouge };
+        let mut course = Course::default();
+        course.path.diagnostics.clone_from(&interpretation.diagnostics);
+        let mut total = 0;
+        for item in &interpretation.items {
+            total += blocks(item);
         }
-        if course.is_stopped {
-            break;
+        let each = Options { gouge, ..*options };
+        Self { course, tools, each, is_refused, next: 0, done: 0, total }
+    }
+
+    /// Compensates about so many blocks of the `interpretation` it was made for, each contour as a
+    /// whole; false once there are none left.
+    pub fn step(&mut self, interpretation: &Interpretation, count: usize) -> bool {
+        let until = self.done.saturating_add(count);
+        while self.done < until && !self.course.is_stopped {
+            let Some(item) = interpretation.items.get(self.next) else {
+                return false;
+            };
+            self.course.item(item, &self.tools, &self.each);
+            self.next += 1;
+            self.done += blocks(item);
         }
+        self.next < interpretation.items.len() && !self.course.is_stopped
     }
-    if options.gouge == GougePolicy::Stop {
-        refuse_gouges(&mut course.path);
+
+    /// How much of the program was compensated, from 0 to 1.
+    #[must_use]
+    pub fn progress(&self) -> f64 {
+        if self.course.is_stopped { 1.0 } else { self.done as f64 / self.total.max(1) as f64 }
     }
-    course.path
+
+    /// The path, as far as it was made.
+    #[must_use]
+    pub fn finish(mut self) -> ToolPath {
+        if self.is_refused {
+            refuse_gouges(&mut self.course.path);
+        }
+        self.course.path
+    }
+}
+
+/// About how many blocks an item comes from.
+fn blocks(item: &Item) -> usize {
+    match item {
+        Item::Contour(programmed) => programmed.contour.segments().len() + 1,
+        Item::Free(_) | Item::Words { .. } => 1,
+    }
 }
 
 /// The path as it grows.
-#[derive(Default)]
+#[derive(Debug, Default)]
 struct Course {
     path: ToolPath,
     /// Whether the coordinates are others since the last move: the next one starts where it says.
@@ -76,6 +110,30 @@ struct Course {
 }
 
 impl Course {
+    /// One step of the program.
+    fn item(&mut self, item: &Item, tools: &Tools, options: &Options) {
+        match item {
+            Item::Free(free) => self.free(*free),
+            Item::Words { words, reset, origin } => {
+                let mut reset = *reset;
+                self.is_reset |= reset.is_some() && !words.is_empty();
+                // Where only axes are to be stated the tool stays where it is, maybe beside the
+                // contour.
+                if let (Some(reset), Some(at), false) = (&mut reset, self.position(), self.is_reset)
+                {
+                    reset.at = at;
+                }
+                self.path.words.push(AuxiliaryWords {
+                    before: self.path.moves.len(),
+                    words: words.clone(),
+                    reset,
+                    origin: *origin,
+                });
+            }
+            Item::Contour(programmed) => self.contour(programmed, tools, options),
+        }
+    }
+
     /// Where the tool is, once it has moved [mm].
     fn position(&self) -> Option<DVec3> {
         let last = self.path.moves.last()?;

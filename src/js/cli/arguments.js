@@ -1,5 +1,7 @@
 // Reads the arguments of a command by its table of options, and says what is wrong with them.
+
 import { parseArgs } from "node:util";
+import { decimal } from "../decimal.js";
 
 import { misused } from "./failure.js";
 import { nearest } from "./nearest.js";
@@ -83,7 +85,7 @@ function read({ rawName, value, inlineValue }, flag) {
     misused(`${rawName} needs a value: ${rawName} ${flag.value}`);
   }
   if (flag.kind === "number") {
-    return number(value) ?? misused(`${rawName} must be a number, not "${value}"`);
+    return decimal(value) ?? misused(`${rawName} must be a number, not "${value}"`);
   }
   if (flag.names && !flag.names.includes(value)) {
     const meant = nearest(value, flag.names);
@@ -93,15 +95,4 @@ function read({ rawName, value, inlineValue }, flag) {
     );
   }
   return value;
-}
-
-/**
- * A finite decimal number, or nothing.
- *
- * @param {string} text
- */
-export function number(text) {
-  const isDecimal = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i.test(text);
-  const value = Number(text);
-  return isDecimal && Number.isFinite(value) ? value : undefined;
 }

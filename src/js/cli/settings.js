@@ -1,8 +1,8 @@
 // Turns the options that were given into those of the package's functions.
-import { number } from "./arguments.js";
-import { misused } from "./failure.js";
+import { decimal } from "../decimal.js";
+import { readToolTable } from "../tool_table.js";
+import { fileTrouble, misused } from "./failure.js";
 import { readText } from "./input.js";
-import { readToolTable } from "./tool_table.js";
 
 /** @typedef {import("./arguments.js").Values} Values */
 /** @typedef {import("../types.d.ts").ToolSize} ToolSize */
@@ -63,14 +63,28 @@ export function gcodeOptions({ to, tolerance, feed, clearance, explain, ...other
  */
 export async function toolsOf(values) {
   const table = values["tool-table"];
-  const tools = typeof table === "string" ? readToolTable(table, (await readText(table)).text) : {};
+  const tools = typeof table === "string" ? await listedTools(table) : {};
   for (const given of /** @type {string[]} */ (values.tool ?? [])) {
     const [, name = "", size = ""] = given.match(/^([^=]*)=(.*)$/) ?? [];
-    const radius = number(size);
+    const radius = decimal(size);
     if (!/^\d{1,9}$/.test(name) || radius === undefined) {
       misused(`--tool must be D=R, a number of a tool and its radius [mm], not "${given}"`);
     }
     tools[Number(name)] = { radius };
+  }
+  return tools;
+}
+
+/**
+ * The tools of a table, all of whose lines must be understood.
+ *
+ * @param {string} path
+ */
+async function listedTools(path) {
+  const { tools, diagnostics } = readToolTable((await readText(path)).text);
+  const [first] = diagnostics;
+  if (first?.origin && "block" in first.origin) {
+    fileTrouble(`${path}:${first.origin.block}`, first.message);
   }
   return tools;
 }

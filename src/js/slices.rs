@@ -1,0 +1,99 @@
+//! Long work in slices: reading a program, and compensating it.
+
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use super::names::{DialectName, ProfileName, dialect, profile};
+use super::numbering::Numbering;
+use super::program::{ProgramHandle, tool_table};
+use super::settings::Settings;
+use super::tool_path::ToolPathHandle;
+use crate::program::{Program, Rules, RunOptions, Runner};
+use crate::simulation::{Profile, ProgramCompensation};
+
+/// A program that is being read; `ProgramReader` of `types.d.ts` holds one.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct ReaderHandle {
+    runner: Runner,
+    profile: Profile,
+}
+
+#[wasm_bindgen]
+impl ReaderHandle {
+    /// A program before its first block.
+    #[wasm_bindgen(constructor)]
+    #[must_use]
+    pub fn new(
+        text: String,
+        dialect_name: Option<DialectName>,
+        profile_name: Option<ProfileName>,
+        block_delete: bool,
+    ) -> Self {
+        let dialect = dialect_name.and_then(dialect).unwrap_or_default();
+        let profile = profile_name.and_then(profile).unwrap_or_default();
+        let rules = Rules { block_delete, ..profile.rules() };
+        let program = Program::from_text(text, dialect);
+        let runner = Runner::new(&program, RunOptions { rules, ..RunOptions::default() });
+        Self { runner, profile }
+    }
+
+    /// Reads so many lines; false once there are none left.
+    pub fn step(&mut self, lines: u32) -> bool {
+        self.runner.step(lines.into())
+    }
+
+    /// How much was read, from 0 to 1.
+    #[must_use]
+    pub fn progress(&self) -> f64 {
+        self.runner.progress()
+    }
+
+    /// The program, as far as it was read.
+    #[must_use]
+    pub fn finish(self) -> ProgramHandle {
+        ProgramHandle::new(self.runner.finish(), self.profile)
+    }
+}
+
+/// A program that is being compensated; `ProgramCompensation` of `types.d.ts` holds one.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct CompensationHandle {
+    compensation: ProgramCompensation,
+}
+
+#[wasm_bindgen]
+impl CompensationHandle {
+    /// A program before its first block, with `tools`, as `tools.js` packs them, and `radius` for
+    /// all others.
+    #[wasm_bindgen(constructor)]
+    #[must_use]
+    pub fn new(
+        program: &ProgramHandle,
+        tools: &[f64],
+        radius: Option<f64>,
+        settings: Settings,
+    ) -> Self {
+        let tools = tool_table(tools, radius);
+        let options = settings.into_options(program.profile());
+        let compensation = ProgramCompensation::new(program.interpretation(), tools, &options);
+        Self { compensation }
+    }
+
+    /// Compensates about so many blocks of the same program; false once there are none left.
+    pub fn step(&mut self, program: &ProgramHandle, blocks: usize) -> bool {
+        self.compensation.step(program.interpretation(), blocks)
+    }
+
+    /// How much was compensated, from 0 to 1.
+    #[must_use]
+    pub fn progress(&self) -> f64 {
+        self.compensation.progress()
+    }
+
+    /// The path, as far as it was made.
+    #[must_use]
+    pub fn finish(self) -> ToolPathHandle {
+        ToolPathHandle::new(self.compensation.finish(), Numbering::plain())
+    }
+}
