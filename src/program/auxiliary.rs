@@ -108,6 +108,19 @@ pub(super) fn take_as_text(words: &mut Words, letters: &str, text: &mut String) 
     }
 }
 
+/// The G50 or G92 of a block that has no axes: it limits the speed of the spindle.
+fn speed_limit(block: &Block) -> Option<&Word> {
+    let mut limit = None;
+    for word in &block.words {
+        match word.letter {
+            'X' | 'Y' | 'Z' => return None,
+            'G' if matches!(tenths(word), Some(500 | 920)) => limit = Some(word),
+            _ => {}
+        }
+    }
+    limit
+}
+
 /// When an M word acts, by ten times its number, and which letters belong to it.
 fn m_word(tenths: u32) -> (u8, &'static str) {
     match tenths {
@@ -142,12 +155,7 @@ impl Interpreter {
             match found.letter {
                 // The time of a dwell.
                 'S' if words.is_used(index) => continue,
-                'S' => {
-                    self.modal.feed.set_speed(found.value);
-                    let feet = self.modal.inches && self.modal.feed.is_surface_speed();
-                    let speed = if feet { found.value * FOOT } else { found.value };
-                    auxiliary.text(rank::SPEED, word('S', speed));
-                }
+                'S' => auxiliary.text(rank::SPEED, self.speed(block, found)),
                 // Many controllers do not know it: its number is kept as a comment.
                 'O' if index == 0 => {
                     let text = format!("({})", word('O', found.value));
@@ -171,6 +179,19 @@ impl Interpreter {
             }
             words.use_up(index);
         }
+    }
+
+    /// The S word as it is passed on.
+    fn speed(&mut self, block: &Block, found: &Word) -> String {
+        // The fastest that the spindle may turn is no speed to turn at.
+        if let Some(limit) = speed_limit(block) {
+            let mut text = word('G', limit.value);
+            append_word(&mut text, 'S', found.value);
+            return text;
+        }
+        self.modal.feed.set_speed(found.value);
+        let feet = self.modal.inches && self.modal.feed.is_surface_speed();
+        word('S', if feet { found.value * FOOT } else { found.value })
     }
 
     fn m_word(

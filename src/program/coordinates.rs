@@ -93,7 +93,10 @@ impl Interpreter {
             Act::StoreHome => self.pass_reset(block, passed_on),
             Act::Machine => self.machine(block, word, words),
             Act::Local => {
-                self.leave_contour(block, word.column, "the coordinate system", None);
+                // What is resolved here changes no coordinates of the machine's system.
+                if self.course.switched().is_some() {
+                    self.leave_contour(block, word.column, "the coordinate system", None);
+                }
                 for (i, letter) in AXES.into_iter().enumerate() {
                     if let Some(axis) = words.take(letter) {
                         self.modal.frame.local[i] = self.modal.length_of(i, axis.value);
@@ -111,7 +114,8 @@ impl Interpreter {
         if self.is_refused {
             return;
         }
-        let reset = Reset { at: self.modal.position, states: [false; 3] };
+        let states = std::mem::take(&mut self.owed);
+        let reset = Reset { at: self.modal.position, states };
         self.course.reset(text, block.origin(), reset);
     }
 
@@ -411,7 +415,7 @@ impl Interpreter {
                 "the scale"
             }
         };
-        if differs(&before, &self.modal.frame) {
+        if self.course.switched().is_some() && differs(&before, &self.modal.frame) {
             self.leave_contour(block, word.column, what, None);
         }
     }

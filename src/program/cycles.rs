@@ -85,12 +85,13 @@ impl Interpreter {
         if !hits {
             return;
         }
-        if self.rules.is_strict && self.course.switched().is_some() {
+        let compensates = self.course.switched().is_some();
+        if compensates && self.rules.is_strict {
             self.refuse("a cycle may not be while compensation is on", block.start());
             return;
         }
-        if !self.course.is_free() || self.modal.feed.is_inverse_time() {
-            let what = if self.course.is_free() { "under G93" } else { "with compensation on" };
+        if compensates || self.modal.feed.is_inverse_time() {
+            let what = if compensates { "with compensation on" } else { "under G93" };
             let at = block.start();
             self.error(
                 "cycle-not-possible",

@@ -46,6 +46,8 @@ pub(super) struct Interpreter {
     pub(super) rules: Rules,
     /// The control has refused to go on.
     pub(super) is_refused: bool,
+    /// Axes that the next move has to state, whatever its block says.
+    pub(super) owed: [bool; 3],
     /// Moves that cycles and arcs of several turns have become.
     expanded: u32,
 }
@@ -61,6 +63,7 @@ impl Interpreter {
             waiting: Vec::new(),
             rules,
             is_refused: false,
+            owed: [false; 3],
             expanded: 0,
         }
     }

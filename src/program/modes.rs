@@ -185,8 +185,15 @@ impl Interpreter {
         if self.course.is_free() {
             return;
         }
-        let (at, _) = plane.unwrap_or(self.modal.plane).split(self.modal.position);
-        if self.rules.any_lead && self.course.switched().is_none() {
+        let plane_after = plane.unwrap_or(self.modal.plane);
+        let (at, _) = plane_after.split(self.modal.position);
+        if self.course.switched().is_none() {
+            // The lead-out would have led from beside the contour back to where the program is.
+            if plane.is_none() {
+                let [first, second, _] = self.modal.plane.axes();
+                self.owed[first] = true;
+                self.owed[second] = true;
+            }
             self.course.break_off(at, &mut self.report);
             return;
         }

@@ -3,7 +3,7 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use g41::contour::{MoveCurve, Side};
-use g41::program::RadiusSource;
+use g41::program::{Item, RadiusSource};
 
 use super::sample::{found, moves, near, only_contour, read, read_clean, steps, words};
 
@@ -151,6 +151,25 @@ fn length_compensation_leaves_the_height_to_be_stated() {
     let read = read_clean("G49\nG0 X1 Y1 Z5\nG43 H3 Z5\nG1 X4 F60\nG49\nG43.1 Z2\n");
     let expected = ["R 1 1 5", "G43 H3", "G0 Z5", "4 1 5", "G49", "G43.1 Z2"];
     assert_eq!(steps(&read), expected, "a G49 that ends nothing is left out");
+}
+
+#[test]
+fn after_g40_coordinates_may_change_without_a_lead_out() {
+    for words in ["G53 G0 Z0", "G28 Z9", "G92 Z0", "G55"] {
+        let text = format!("G0 X0 Y-9\nG41 D1 G1 Y0 F100\nX9\nG40\n{words}\nG0 X20\n");
+        let read = read_clean(&text);
+        let states = read.items.iter().find_map(|item| match item {
+            Item::Words { reset: Some(reset), words, .. } if !words.is_empty() => {
+                Some(reset.states)
+            }
+            _ => None,
+        });
+        // Beside the contour the tool is not where the program is: the next move says both.
+        assert_eq!(states, Some([true, true, false]), "{words}: {read:?}");
+    }
+    let read = read_clean("G0 X0 Y-9 Z5\nG41 D1 G1 Y0 F100\nX9\nG40\nG81 X20 Z-1 R1 F60\n");
+    let lead = only_contour(&read).contour.lead_out().copied().expect("it is there");
+    assert!(near(lead.point, [20.0, 0.0]), "a cycle leads out: {lead:?}");
 }
 
 #[test]
