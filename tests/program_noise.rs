@@ -7,7 +7,10 @@ use std::fmt::Write;
 use g41::compensation::Options;
 use g41::contour::ToolPath;
 use g41::diagnostic::Diagnostic;
-use g41::program::{Dialect, EmitOptions, Emitted, Program, Rules, emit, interpret};
+use g41::program::{
+    Dialect, EmitOptions, Emitted, Interpretation, Item, Program, Rules, RunOptions, Runner, emit,
+    interpret,
+};
 use g41::simulation::{Tools, compensate_program};
 
 /// How many programs of each kind.
@@ -112,6 +115,148 @@ fn words(random: &mut Random, count: usize) -> String {
         text.push(if random.below(4) == 0 { '\n' } else { ' ' });
     }
     text
+}
+
+/// A value as expressions have it, nested up to `depth`.
+fn value(random: &mut Random, depth: u64) -> String {
+    const SIMPLE: [&str; 24] = [
+        "1",
+        "2",
+        "0",
+        "0.5",
+        "-3",
+        "10.25",
+        "1000000",
+        "#1",
+        "#2",
+        "#3",
+        "#100",
+        "#<a>",
+        "#<_b>",
+        "##1",
+        "#[1+1]",
+        "#5420",
+        "#5421",
+        "#<_x>",
+        "#0",
+        "#<_value>",
+        "R1",
+        "",
+        "1..2",
+        "#5221",
+    ];
+    const OPERATORS: [&str; 17] = [
+        "+", "-", "*", "/", "**", " MOD ", " EQ ", " NE ", " GT ", " GE ", " LT ", " LE ", " AND ",
+        " OR ", " XOR ", "", "(",
+    ];
+    const FUNCTIONS: [&str; 20] = [
+        "SIN", "COS", "TAN", "ASIN", "ACOS", "ATAN", "SQRT", "ABS", "EXP", "LN", "FIX", "FUP",
+        "ROUND", "BIN", "BCD", "POW", "EXISTS", "NOSUCH", "atan2", "-",
+    ];
+    match random.below(if depth == 0 { 3 } else { 8 }) {
+        0..=3 => random.pick(&SIMPLE).to_owned(),
+        4 | 5 => {
+            let operator = random.pick(&OPERATORS);
+            format!("[{}{operator}{}]", value(random, depth - 1), value(random, depth - 1))
+        }
+        6 => {
+            let function = random.pick(&FUNCTIONS);
+            let second = random.pick(&["", "", "", "/[2]", ",3]", "]"]);
+            format!("{function}[{}]{second}", value(random, depth - 1))
+        }
+        _ => format!("[{}", value(random, depth - 1)),
+    }
+}
+
+/// One line of a program in no dialect and all of them.
+fn line(random: &mut Random) -> String {
+    let label = random.pick(&["1", "2", "3", "<a>", "<B >", "[#1]", "#2", "1"]);
+    let number = random.pick(&["1", "2", "10", "20", "5"]);
+    let mut value = |depth| value(random, depth);
+    let [a, b, c] = [value(3), value(2), value(1)];
+    match random.below(34) {
+        0 => format!("o{label} sub"),
+        1 => format!("o{label} endsub {a}"),
+        2 | 3 => format!("o{label} call [{a}] [{b}]"),
+        4 => format!("o{label} return [{a}]"),
+        5 => format!("o{label} if [{a}]"),
+        6 => format!("o{label} elseif [{a}]"),
+        7 => format!("o{label} else"),
+        8 | 9 => format!("o{label} endif"),
+        10 => format!("o{label} while [{a}]"),
+        11 | 12 => format!("o{label} endwhile"),
+        13 => format!("o{label} do"),
+        14 => format!("o{label} repeat [{b}]"),
+        15 | 16 => format!("o{label} endrepeat"),
+        17 => format!("o{label} {}", random.pick(&["break", "continue", "", "nosuch"])),
+        18 => format!("O{number} ({a})"),
+        19 => format!("M98 P{number} L{b}"),
+        20 => random.pick(&["M99", "M99 P10", "M30", "%", "M2", "/M99"]).to_owned(),
+        21 => format!("G65 P{number} A{a} I{b} I{c} X{c}"),
+        22 => format!("IF [{a}] GOTO {number}"),
+        23 => format!("IF [{a}] THEN #{number}={b}"),
+        24 => format!("WHILE [{a}] DO{number}"),
+        25 => format!("{}{number}", random.pick(&["END", "DO", "GOTO"])),
+        26 => format!("#{number}={a}"),
+        27 => format!("#<{}>={a} #1={b}", random.pick(&["a", "_b", "c d", "_x"])),
+        28 => format!("R{number}={a} X={b}"),
+        29 => format!("N{number} G91 G1 X{a} F{b}"),
+        30 => format!("G{} X{a} Y{b} R{c}", random.pick(&["0", "1", "2", "3", "5", "81"])),
+        31 => format!("{} {}", words(random, 4).replace('\n', " "), a),
+        32 => format!("/{number} G0 X{a} (c) ; {b}"),
+        _ => characters(random, 12),
+    }
+}
+
+/// How many programs of the language are made, and from which seed on: `G41_CASES` and `G41_SEED`
+/// say otherwise.
+fn wanted() -> (u64, u64) {
+    let number = |name| std::env::var(name).ok().and_then(|text| text.parse().ok());
+    (number("G41_CASES").unwrap_or(CASES * 5), number("G41_SEED").unwrap_or(0))
+}
+
+/// Runs in slices of a seeded size, within bounds that small programs of loops reach.
+fn run(text: &str, dialect: Dialect, slice: u64) -> Interpretation {
+    let bounds = RunOptions {
+        most_blocks: 500,
+        most_text: 100_000,
+        most_items: 500,
+        deepest: 20,
+        ..RunOptions::default()
+    };
+    let mut runner = Runner::new(&Program::parse(text, dialect), bounds);
+    let mut slices = 0;
+    while runner.step(slice) {
+        slices += 1;
+        assert!(slices <= 110_000, "it does not end");
+    }
+    runner.finish()
+}
+
+#[test]
+fn programs_of_loops_and_macros_in_no_order_come_to_an_end() {
+    let (cases, first) = wanted();
+    for seed in first..first.saturating_add(cases) {
+        let mut random = Random(seed);
+        let lines = 3 + random.below(25);
+        let text: String = (0..lines).map(|_| line(&mut random) + "\n").collect();
+        let dialects = [Dialect::Auto, Dialect::LinuxCnc, Dialect::Fanuc, Dialect::Sinumerik];
+        let dialect = dialects[usize::try_from(random.below(4)).expect("an index")];
+        let caught = std::panic::catch_unwind(|| run(&text, dialect, u64::MAX));
+        let Ok(read) = caught else { panic!("seed {seed}: {dialect:?}\n{text}") };
+        assert!(read.items.len() < 5_000, "seed {seed}: {} items", read.items.len());
+        assert_bounded(&read.diagnostics);
+        for item in &read.items {
+            if let Item::Free(found) = item {
+                let [a, b] = [found.curve.start(), found.curve.end()];
+                assert!(a.is_finite() && b.is_finite(), "seed {seed}: {found:?}");
+            }
+        }
+        if seed % 16 == 0 {
+            let slices = run(&text, dialect, 1 + random.below(9));
+            assert_eq!(slices, read, "seed {seed}: in slices\n{text}");
+        }
+    }
 }
 
 #[test]
