@@ -3,6 +3,7 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use std::fmt::Write;
+use std::ops::Range;
 
 use g41::compensation::Options;
 use g41::contour::ToolPath;
@@ -208,11 +209,11 @@ fn line(random: &mut Random) -> String {
     }
 }
 
-/// How many programs of the language are made, and from which seed on: `G41_CASES` and `G41_SEED`
-/// say otherwise.
-fn wanted() -> (u64, u64) {
-    let number = |name| std::env::var(name).ok().and_then(|text| text.parse().ok());
-    (number("G41_CASES").unwrap_or(CASES * 5), number("G41_SEED").unwrap_or(0))
+/// From which seed to which programs of the language are made: `G41_SEEDS=FROM..TO`.
+fn seeds() -> Range<u64> {
+    let Ok(text) = std::env::var("G41_SEEDS") else { return 0..5 * CASES };
+    let (from, to) = text.split_once("..").expect("G41_SEEDS is FROM..TO");
+    from.parse().expect("a seed")..to.parse().expect("a seed")
 }
 
 /// Runs in slices of a seeded size, within bounds that small programs of loops reach.
@@ -235,8 +236,7 @@ fn run(text: &str, dialect: Dialect, slice: u64) -> Interpretation {
 
 #[test]
 fn programs_of_loops_and_macros_in_no_order_come_to_an_end() {
-    let (cases, first) = wanted();
-    for seed in first..first.saturating_add(cases) {
+    for seed in seeds() {
         let mut random = Random(seed);
         let lines = 3 + random.below(25);
         let text: String = (0..lines).map(|_| line(&mut random) + "\n").collect();

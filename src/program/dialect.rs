@@ -48,38 +48,36 @@ impl Dialect {
         if self != Self::Auto {
             return self;
         }
-        let (mut percent, mut line) = (false, String::new());
-        let mut comment = false;
-        let end = text.bytes().chain([b'\n']).take(LOOKED_AT.min(text.len()) + 1);
-        for byte in end {
-            match byte {
-                b'\n' | b'\r' => {
-                    if let Some(dialect) = sign(&line, percent) {
-                        return dialect;
-                    }
-                    percent |= line == "%";
-                    line.clear();
-                    comment = false;
-                }
-                _ if comment => comment = byte != b')',
-                // What MSG shows is no comment, and its line needs no further look.
-                b'(' if !line.ends_with("MSG") => comment = true,
-                // Without a bracket a comment ends with its line.
-                b';' => {
-                    if let Some(dialect) = sign(&line, percent) {
-                        return dialect;
-                    }
-                    line.clear();
-                    line.push(';');
-                }
-                _ if byte.is_ascii_graphic() && !line.starts_with(';') => {
-                    line.push(char::from(byte.to_ascii_uppercase()));
-                }
-                _ => {}
+        let mut looked_at = text.len().min(LOOKED_AT);
+        while !text.is_char_boundary(looked_at) {
+            looked_at -= 1;
+        }
+        let mut percent = false;
+        for text in text.get(..looked_at).unwrap_or_default().split(['\n', '\r']) {
+            let line = bare(text);
+            if let Some(dialect) = sign(&line, percent) {
+                return dialect;
             }
+            percent |= line == "%";
         }
         Self::Auto
     }
+}
+
+/// A line in capitals, without space and comments.
+fn bare(text: &str) -> String {
+    let (mut line, mut comment) = (String::new(), false);
+    for byte in text.bytes() {
+        match byte {
+            _ if comment => comment = byte != b')',
+            b';' => break,
+            // What MSG shows is no comment.
+            b'(' if !line.ends_with("MSG") => comment = true,
+            _ if byte.is_ascii_graphic() => line.push(char::from(byte.to_ascii_uppercase())),
+            _ => {}
+        }
+    }
+    line
 }
 
 /// The dialect of a line in capitals without space and comments, if it shows one.

@@ -1,8 +1,14 @@
 //! G-code: reading programs, interpreting them to contours, writing tool paths as programs.
 //!
-//! Reading never fails as a whole: [`Program::parse`] and [`interpret`] return what they
-//! understood and a diagnostic for everything else. Inches, mm/min and line numbers exist on this
-//! floor only. It does not know how contours are compensated.
+//! Reading never fails as a whole: [`interpret`] returns what it understood and a diagnostic for
+//! everything else. Inches, mm/min and line numbers exist on this floor only. It does not know how
+//! contours are compensated.
+//!
+//! [`Program::parse`] finds the dialect and the outline of the text, subprograms and loops. A
+//! [`Runner`] reads one block after the other when its turn comes, with the parameters as they are
+//! by then, and hands it to an interpreter, which knows the modes of a control and makes moves and
+//! contours of it. Parameters that depend on these the interpreter tells. The run ends with the
+//! program or at a bound of [`RunOptions`].
 
 mod arcs;
 mod auxiliary;
