@@ -94,8 +94,8 @@ fn contours_of_the_million_that_failed_once_are_free_of_faults() {
         ("flanks that meet in less than the tolerance", &[1713, 71_421, 188_641]),
         ("segments and spans of a part of the tolerance", &[17_517, 54_947, 46_679, 858_350]),
         ("walls nearly a tool apart and nearly parallel", &[4522, 6071, 181_512, 88_633, 105_810]),
-        ("paths that touch where they part", &[730_372, 5628, 749_446]),
-        ("cusps as small as the tolerance", &[155_435, 241_421]),
+        ("paths that touch where they part", &[730_372, 5628, 749_446, 329_078]),
+        ("bends as small as the tolerance", &[155_435, 241_421, 243_491]),
     ] {
         for &seed in seeds {
             let case = Case::of(seed);

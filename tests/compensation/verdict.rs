@@ -20,8 +20,8 @@ const REACH: f64 = 2.0;
 /// off, and where two walls are nearly parallel that moves the place where a tool fits no more.
 const SPARE: f64 = 0.25;
 
-/// Segments shorter than this part of the tolerance are points: which side of them the tool is on
-/// nobody can tell.
+/// Segments and spans shorter than this part of the tolerance are points: which side of them the
+/// tool is on nobody can tell.
 const POINT: f64 = 0.1;
 
 /// Chords nearer than this touch, in mm: twice their sagitta.
@@ -194,6 +194,16 @@ fn flanks_cross(incoming: &Curve, outgoing: &Curve) -> bool {
     false
 }
 
+/// Length of a segment, or of the span at the end of a spline.
+fn end_length(curve: &Curve, last: bool) -> f64 {
+    match curve {
+        Curve::Spline(spline) => {
+            spline.pieces()[if last { spline.pieces().len() - 1 } else { 0 }].length()
+        }
+        Curve::Line(_) | Curve::Arc(_) => curve.length(),
+    }
+}
+
 fn by_brute_force(case: &Case, contour: &Contour, path: &ToolPath, faults: &mut Vec<Fault>) {
     let (radius, tolerance) = (case.radius, case.tolerance);
     let field = field_of(contour);
@@ -274,9 +284,8 @@ fn left_out(
         }
         let next = &segments[(i + 1) % segments.len()];
         // Where flanks cross again a spike is a slit but for its tip.
-        if segment.curve.length().min(next.curve.length()) < POINT * tolerance
-            || flanks_cross(&segment.curve, &next.curve)
-        {
+        let shorter = end_length(&segment.curve, true).min(end_length(&next.curve, false));
+        if shorter < POINT * tolerance || flanks_cross(&segment.curve, &next.curve) {
             continue;
         }
         let (t1, t2) = (segment.curve.tangent(1.0), next.curve.tangent(0.0));

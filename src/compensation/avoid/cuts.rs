@@ -14,9 +14,10 @@ use crate::geometry::sort_long;
 /// on both.
 pub(super) const SAME_PLACE: f64 = 1e-7;
 
-/// Places examined on a stretch between two cuts; on a short one that is not cut at all the middle
-/// alone, since its neighbours are examined too.
-const EXAMINED: [f64; 3] = [0.02, 0.5, 0.98];
+/// Places examined on a stretch between two cuts beside its middle, to both sides of it from there.
+/// The first ones are left out where it is shorter than the radius, and all on a short one that is not
+/// cut at all, since its neighbours are examined too.
+const EXAMINED: [[f64; 2]; 2] = [[0.25, 0.02], [0.75, 0.98]];
 
 /// Halvings of a part of a stretch until a place is known to a millionth of it.
 const HALVINGS: u32 = 20;
@@ -41,34 +42,42 @@ impl Stretch {
     ///
     /// Mostly it is clear all along or nowhere. Where paths touch, or cross at no angle to speak of,
     /// a cut may be missing: the place between two of those examined is found by halving, and numbered
-    /// as a crossing of its own. Beside a cut everything may count as clear, so the middle counts.
+    /// as a crossing of its own. Beside a cut everything may count as clear, so the middle decides.
     fn examine(
-        mut self,
+        self,
+        is_long: bool,
         is_clear: &mut dyn FnMut(f64) -> bool,
         flips: &mut u32,
         parts: &mut Vec<Self>,
     ) {
-        let [first, middle, last] = EXAMINED.map(|k| self.from + (self.to - self.from) * k);
+        let at = |k: f64| self.from + (self.to - self.from) * k;
+        let middle = at(0.5);
         if !is_clear(middle) {
             return;
         }
-        for (end, at_end) in [(first, false), (last, true)] {
-            if is_clear(end) {
-                continue;
+        let mut part = self;
+        for (side, places) in EXAMINED.iter().enumerate() {
+            let mut clear = middle;
+            for &k in &places[usize::from(!is_long)..] {
+                let mut gouged = at(k);
+                if is_clear(gouged) {
+                    clear = gouged;
+                    continue;
+                }
+                for _ in 0..HALVINGS {
+                    let between = 0.5 * (clear + gouged);
+                    *(if is_clear(between) { &mut clear } else { &mut gouged }) = between;
+                }
+                if side > 0 {
+                    (part.to, part.end) = (clear, Some(*flips));
+                } else {
+                    (part.from, part.start) = (clear, Some(*flips));
+                }
+                *flips += 1;
+                break;
             }
-            let (mut clear, mut gouged) = (middle, end);
-            for _ in 0..HALVINGS {
-                let between = 0.5 * (clear + gouged);
-                *(if is_clear(between) { &mut clear } else { &mut gouged }) = between;
-            }
-            if at_end {
-                (self.to, self.end) = (clear, Some(*flips));
-            } else {
-                (self.from, self.start) = (clear, Some(*flips));
-            }
-            *flips += 1;
         }
-        parts.push(self);
+        parts.push(part);
     }
 }
 
@@ -126,7 +135,8 @@ impl Survey<'_> {
                     kept.push(stretch);
                 }
             } else {
-                stretch.examine(&mut is_clear, &mut flips, &mut kept);
+                let is_long = size > self.radius;
+                stretch.examine(is_long, &mut is_clear, &mut flips, &mut kept);
             }
         }
         kept
