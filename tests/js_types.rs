@@ -121,6 +121,7 @@ fn contours() -> Vec<ProgrammedContour> {
         Shape::Arc { to: dvec2(20.0, 0.0), center: dvec2(15.0, 0.0), clockwise: true },
         spline(20.0, Some(DVec2::X), Some(DVec2::Y), Parameter::Chord),
         spline(23.0, None, None, Parameter::Centripetal),
+        Shape::Bezier { controls: points(26.0) },
     ];
     let periodic = [Shape::Spline(SplineShape {
         points: vec![dvec2(9.0, 1.0), dvec2(8.0, 5.0), DVec2::ZERO],

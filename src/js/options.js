@@ -1,6 +1,6 @@
 // Checks the options of every function; what is left out stays undefined, and the core decides.
 import { bad, finite, object, oneOf, optional, positive, truth } from "./check.js";
-import { sides } from "./pack.js";
+import { parameters, sides } from "./pack.js";
 import { packTools, radius } from "./tools.js";
 
 /** @typedef {import("./check.js").Where} Where */
@@ -27,7 +27,9 @@ const liveKeys = new Set(["chordTolerance", "side", "radius", ...settingKeys]);
 const programKeys = new Set(["tools", "radius", "output", ...settingKeys]);
 const contourCheckKeys = new Set(["radius", "tolerance"]);
 const programCheckKeys = new Set(["tools", ...contourCheckKeys]);
-const parseKeys = new Set(["dialect", "profile", "blockDelete"]);
+const parseKeys = new Set([
+  ...["dialect", "profile", "blockDelete", "splineParameter", "curveTolerance"],
+]);
 const gcodeKeys = new Set(["target", "tolerance", "splines", "feed", "clearance", "explain"]);
 
 /** @type {(key: string) => Where} */
@@ -39,6 +41,7 @@ const here = () => "options";
  * What is meant by a tolerance that is left out [mm]; the same as the core's for compensation.
  */
 const defaultTolerance = 0.001;
+const defaultCurveTolerance = 0.0001;
 
 /**
  * Finest tolerance of polylines, of programs and of the judge [mm]: a nanometre, below which any
@@ -123,10 +126,16 @@ function checkOptions(options) {
 /** @param {unknown} given */
 export function parseOptions(given = {}) {
   const options = object(given, parseKeys, here);
+  const parameter = optional(options.splineParameter, (value) =>
+    oneOf(value, parameters, at("splineParameter")),
+  );
   return {
     dialect: optional(options.dialect, (value) => oneOf(value, dialects, at("dialect"))),
     profile: profile(options),
     blockDelete: optional(options.blockDelete, truth, at("blockDelete")) ?? false,
+    centripetal: parameter === "centripetal",
+    curveTolerance:
+      optional(options.curveTolerance, toleranceAt, at("curveTolerance")) ?? defaultCurveTolerance,
   };
 }
 

@@ -41,6 +41,9 @@ const bezierKeys = new Set(["kind", "controls", "origin"]);
 /** @type {readonly ("left" | "right")[]} */
 export const sides = ["left", "right"];
 
+/** @type {readonly ("chord" | "centripetal")[]} */
+export const parameters = ["chord", "centripetal"];
+
 /**
  * One contour, several, or records as they are.
  *
@@ -166,7 +169,7 @@ function packSpline(out, spline, where) {
   const smooth = optional(spline.smooth, truth, at("smooth"));
   const periodic = optional(spline.periodic, truth, at("periodic"));
   const parameter = optional(spline.parameter, (value) =>
-    oneOf(value, ["chord", "centripetal"], at("parameter")),
+    oneOf(value, parameters, at("parameter")),
   );
   const flags =
     (start ? 1 : 0) +

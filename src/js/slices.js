@@ -25,8 +25,11 @@ export class ProgramReader {
     if (typeof text !== "string") {
       bad(() => "text", "be a string");
     }
-    const { dialect, profile, blockDelete } = parseOptions(options);
-    this.#handle = new Handle((glue) => new glue.ReaderHandle(text, dialect, profile, blockDelete));
+    const { dialect, profile, blockDelete, centripetal, curveTolerance } = parseOptions(options);
+    this.#handle = new Handle(
+      (glue) =>
+        new glue.ReaderHandle(text, dialect, profile, blockDelete, centripetal, curveTolerance),
+    );
   }
 
   get progress() {

@@ -7,6 +7,7 @@ use super::numbering::Numbering;
 use super::program::{ProgramHandle, tool_table};
 use super::settings::Settings;
 use super::tool_path::ToolPathHandle;
+use crate::geometry::Parameter;
 use crate::program::{Program, Rules, RunOptions, Runner};
 use crate::simulation::{Profile, ProgramCompensation};
 
@@ -28,10 +29,13 @@ impl ReaderHandle {
         dialect_name: Option<DialectName>,
         profile_name: Option<ProfileName>,
         block_delete: bool,
+        centripetal: bool,
+        curve_tolerance: f64,
     ) -> Self {
         let dialect = dialect_name.and_then(dialect).unwrap_or_default();
         let profile = profile_name.and_then(profile).unwrap_or_default();
-        let rules = Rules { block_delete, ..profile.rules() };
+        let parameter = if centripetal { Parameter::Centripetal } else { Parameter::Chord };
+        let rules = Rules { block_delete, parameter, curve_tolerance, ..profile.rules() };
         let program = Program::from_text(text, dialect);
         let runner = Runner::new(&program, RunOptions { rules, ..RunOptions::default() });
         Self { runner, profile }

@@ -230,6 +230,13 @@ export interface ParseOptions {
   profile?: Profile;
   /** Whether blocks that begin with `/` are left out. Default `false`. */
   blockDelete?: boolean;
+  /** How the parameter of splines through points (G05, G06.1, CSPLINE) is spaced. Default `"chord"`. */
+  splineParameter?: "chord" | "centripetal";
+  /**
+   * How near curves that are no cubics, such as NURBS with weights, are read as cubics [mm].
+   * Default 0.0001; a diagnostic tells where.
+   */
+  curveTolerance?: number;
 }
 
 /** The language that a program is written in. */

@@ -5,7 +5,7 @@ use crate::diagnostic::Origin;
 /// One word: a letter and a number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Word {
-    /// Its letter, a capital.
+    /// Its letter, a capital; words with a name have a small one.
     pub letter: char,
     /// Its number, as programmed.
     pub value: f64,

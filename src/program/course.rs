@@ -10,6 +10,7 @@ use super::items::{ContourEnd, Item, ProgrammedContour, RadiusSource};
 use super::open::{Open, builder_at, line_of};
 use super::report::Report;
 use super::rules::Rules;
+use super::spline_words::end_heading;
 use crate::contour::{Attributes, EventKind, Lead, Move, MoveCurve, Reset, Role, Shape, Side};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Curve, Line};
@@ -34,6 +35,8 @@ pub(super) struct Course {
     rules: Rules,
     /// Compensation was switched off, and no straight move has followed yet.
     needs_a_line: bool,
+    /// The direction in the plane in which the last move ends, where it is known.
+    pub(super) heading: Option<DVec2>,
 }
 
 #[derive(Debug)]
@@ -50,7 +53,14 @@ enum State {
 
 impl Course {
     pub(super) fn new(rules: Rules) -> Self {
-        Self { items: Vec::new(), segments: 0, state: State::Off, rules, needs_a_line: false }
+        Self {
+            items: Vec::new(),
+            segments: 0,
+            state: State::Off,
+            rules,
+            needs_a_line: false,
+            heading: None,
+        }
     }
 
     /// How many moves and words there are, those of an open contour included.
@@ -178,6 +188,7 @@ impl Course {
         attributes: Attributes,
         report: &mut Report,
     ) {
+        self.heading = end_heading(from, &Shape::Line { to });
         match std::mem::replace(&mut self.state, State::Off) {
             State::Off => self.free_curve(from, Shape::Line { to }, attributes, report),
             State::Waiting(switched) => {
@@ -205,6 +216,7 @@ impl Course {
         attributes: Attributes,
         report: &mut Report,
     ) {
+        self.heading = end_heading(from, &shape);
         let origin = attributes.origin;
         if self.needs_a_line {
             self.refuse_arc(from, origin);

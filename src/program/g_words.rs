@@ -1,6 +1,7 @@
 //! The G words: what each means here, and which exclude each other in a block.
 
 use super::feed::FeedMode;
+use super::pending_spline::Family;
 use crate::contour::{Plane, Side};
 
 /// How axis words move the tool.
@@ -17,6 +18,18 @@ pub(super) enum Motion {
     },
     /// G05 with axes alone.
     TypePoints,
+    /// G05 with I, J, P and Q.
+    Cubic,
+    /// G05.1 with I and J.
+    Quadratic,
+    /// G05.2.
+    Controls,
+    /// G06.1.
+    Through,
+    /// G06.2.
+    Knots,
+    /// ASPLINE, BSPLINE and CSPLINE.
+    Named(Family),
     /// G73, G74, G76 and G81 to G89, by its number.
     Cycle(u32),
     /// A mode whose blocks cannot be turned into moves; its name.

@@ -9,9 +9,10 @@ use super::block::{Block, Word};
 use super::course::Course;
 use super::dialect::Dialect;
 use super::modal::Modal;
+use super::pending_spline::PendingSpline;
 use super::report::Report;
 use super::rules::Rules;
-use super::type_points::PendingSpline;
+use super::spline_blocks::Curves;
 use super::words::Words;
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::Decimal;
@@ -43,6 +44,7 @@ pub(super) struct Interpreter {
     pub(super) spline: Option<PendingSpline>,
     /// Words since its last type point, whether they are comments only, and their block.
     pub(super) waiting: Vec<(String, bool, Origin)>,
+    pub(super) curves: Curves,
     pub(super) rules: Rules,
     /// The control has refused to go on.
     pub(super) is_refused: bool,
@@ -61,6 +63,7 @@ impl Interpreter {
             report: Report::default(),
             spline: None,
             waiting: Vec::new(),
+            curves: Curves::default(),
             rules,
             is_refused: false,
             owed: [false; 3],
@@ -85,6 +88,7 @@ impl Interpreter {
         }
         let mut auxiliary = Auxiliary::new(block);
         let mut demands = self.g_words(block, &mut words, &mut auxiliary);
+        self.spline_words(&mut words, &mut demands);
         if let Some((tenths, column)) = demands.family {
             self.spline_family(block, tenths, column, &mut words, &mut demands);
         }
@@ -92,6 +96,7 @@ impl Interpreter {
             return Flow::End;
         }
         if self.ends_spline(&demands, &words) {
+            self.look_ahead(&words);
             self.finish_spline();
         }
         if let Some(dwell) = demands.dwell {

@@ -7,6 +7,7 @@ use super::expression::{Fault, is_system};
 use super::interpret::Interpreter;
 use super::number::{NumberError, whole};
 use super::parameters::{FAILED, Parameters, Setting, Target};
+use super::spline_words::{ADDRESSES, NAMES};
 
 /// Most words of a block. Controls allow about 250 characters; a line without end is no block.
 const MOST_WORDS: usize = 100;
@@ -395,6 +396,20 @@ impl LineReader<'_> {
             return true;
         }
         let name = self.cursor.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
+        for (known, letter, value) in NAMES {
+            if name.eq_ignore_ascii_case(known) {
+                let column = self.cursor.column(from);
+                self.accept(Word { letter, value, column }, from);
+                return true;
+            }
+        }
+        for (known, letter) in ADDRESSES {
+            if name.eq_ignore_ascii_case(known) && self.cursor.eat(b'=') {
+                let value = self.expression(1);
+                self.accept_value(letter, value, from);
+                return true;
+            }
+        }
         let message = format!("{} is not known", quote(name));
         self.error("unknown-name", message, from, "the rest of the block is left out");
         self.cursor.skip_all();

@@ -7,7 +7,6 @@ use super::axes::Axes;
 use super::block::Block;
 use super::g_words::Motion;
 use super::interpret::{GEOMETRY, Interpreter, MINUTE};
-use super::type_points::{SplineWord, spline_word};
 use super::words::Words;
 use crate::contour::Attributes;
 use crate::diagnostic::Diagnostic;
@@ -23,6 +22,9 @@ impl Interpreter {
         stated: bool,
         words: &mut Words,
     ) {
+        if motion != Motion::Cubic {
+            self.curves.chained = None;
+        }
         match motion {
             Motion::NotSupported(what) => {
                 if stated || words.has_any("XYZIJKRPQ") {
@@ -51,17 +53,14 @@ impl Interpreter {
                 }
             }
             Motion::Cycle(number) => self.cycle(block, number, stated, words),
-            Motion::TypePoints => {
-                if !words.has_any("XYZ") {
-                    return;
+            Motion::TypePoints | Motion::Cubic => self.g05(block, words),
+            Motion::Quadratic => {
+                if words.has_any("XYZIJK") {
+                    self.quadratic(block, words);
                 }
-                if let SplineWord::NotSupported(what) = spline_word(50, words) {
-                    self.modal.motion = Some(Motion::NotSupported(what));
-                    self.finish_spline();
-                    self.motion(block, Motion::NotSupported(what), true, words);
-                } else if let Some((axes, to)) = self.target(block, words, "") {
-                    self.type_point(block, &axes, to);
-                }
+            }
+            Motion::Controls | Motion::Through | Motion::Knots | Motion::Named(_) => {
+                self.spline_point(block, motion, stated, words);
             }
         }
     }

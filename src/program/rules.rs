@@ -1,8 +1,13 @@
-//! How a control reads the words that concern compensation.
+//! How a control reads the words that concern compensation, and splines.
+
+use crate::geometry::Parameter;
+
+/// How near curves that are no cubics are read as such by default [mm].
+const CURVE_TOLERANCE: f64 = 1e-4;
 
 /// What differs from control to control. By default everything that has a meaning is read, as the
 /// textbook's machine does.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a rule of its own")]
 pub struct Rules {
     /// Any move leads in, an arc too, and any straight one leads out, along the normal of the plane
@@ -14,4 +19,22 @@ pub struct Rules {
     pub spindle_tool: bool,
     /// Blocks that begin with / are left out: the switch of the control is on.
     pub block_delete: bool,
+    /// How the parameter of splines through points is spaced, where the words leave it open.
+    pub parameter: Parameter,
+    /// How near curves that are no cubics, those with weights and of a high degree, are read as
+    /// such [mm]; at least 1e-9.
+    pub curve_tolerance: f64,
+}
+
+impl Default for Rules {
+    fn default() -> Self {
+        Self {
+            any_lead: false,
+            is_strict: false,
+            spindle_tool: false,
+            block_delete: false,
+            parameter: Parameter::Chord,
+            curve_tolerance: CURVE_TOLERANCE,
+        }
+    }
 }

@@ -27,7 +27,7 @@ pub struct Interpretation {
 }
 
 /// How a program is run, and how far: a program of a few lines can go on forever.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RunOptions {
     /// How the control reads the words that concern compensation.
     pub rules: Rules,

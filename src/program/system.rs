@@ -95,7 +95,12 @@ impl Interpreter {
                 Some(Motion::Arc { clockwise: false }) => 30.0,
                 Some(Motion::Cycle(number)) => 10.0 * f64::from(number),
                 None => 800.0,
-                Some(Motion::TypePoints | Motion::NotSupported(_)) => return None,
+                Some(Motion::TypePoints | Motion::Cubic) => 50.0,
+                Some(Motion::Quadratic) => 51.0,
+                Some(Motion::Controls) => 52.0,
+                Some(Motion::Through) => 61.0,
+                Some(Motion::Knots) => 62.0,
+                Some(Motion::Named(_) | Motion::NotSupported(_)) => return None,
             }),
             _ => None,
         }

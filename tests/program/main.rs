@@ -12,3 +12,4 @@ mod order;
 mod planes;
 mod reported;
 mod sample;
+mod splines;

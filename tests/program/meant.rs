@@ -285,16 +285,10 @@ fn a_spline_of_two_points_is_reported() {
 fn the_family_of_g05_is_told_apart() {
     for (block, code, severity, says) in [
         ("G05 P10000", "noted", INFO, "high-speed"),
-        ("G5 X20 Y5 I1 J2 P3 Q4", "not-supported", ERROR, "cubic Bézier"),
-        ("G5 X20 Y5 P3 Q4", "not-supported", ERROR, "cubic Bézier"),
         ("G5 X20 Y5 P3", "not-supported", ERROR, "neither"),
-        ("G5.1 X20 I1 J2", "not-supported", ERROR, "quadratic"),
         ("G05.1 Q1", "noted", INFO, "contour control"),
         ("G05.1 Q2 X0 Y0", "left-out", WARNING, "smooth interpolation"),
-        ("G5.2 P1 L3", "not-supported", ERROR, "NURBS"),
-        ("G5.3", "not-supported", ERROR, "NURBS"),
-        ("G06.1 X20 Y5", "not-supported", ERROR, "FANUC's spline"),
-        ("G06.2 P4 K0 X20 R1", "not-supported", ERROR, "NURBS"),
+        ("G5.3", "nurbs-not-open", ERROR, "without G05.2"),
     ] {
         let read = read(&format!("G0 X10 Y0\n{block}\nG1 X30 F100\n"));
         assert_eq!(found(&read).len(), 1, "{block}: {:?}", read.diagnostics);

@@ -1,0 +1,142 @@
+//! SINUMERIK's words for splines, and the tangents of the blocks beside one.
+//!
+//! The reader gives these words small letters: `s` for ASPLINE, BSPLINE and CSPLINE, `b` and `e`
+//! for how they begin and end, `w` for PW, `l` for PL and `d` for SD.
+
+use glam::{DVec2, DVec3};
+
+use super::coordinates::AXES;
+use super::g_words::Motion;
+use super::interpret::Interpreter;
+use super::modes::Demands;
+use super::pending_spline::{Boundary, Family};
+use super::words::Words;
+use crate::contour::{ARC_TOLERANCE, Shape};
+use crate::geometry::{Arc, RadiusForm, perp};
+
+/// Words without a number: their letter and the number that stands for them.
+pub(super) const NAMES: [(&str, char, f64); 9] = [
+    ("ASPLINE", 's', 0.0),
+    ("BSPLINE", 's', 1.0),
+    ("CSPLINE", 's', 2.0),
+    ("BAUTO", 'b', 0.0),
+    ("BNAT", 'b', 1.0),
+    ("BTAN", 'b', 2.0),
+    ("EAUTO", 'e', 0.0),
+    ("ENAT", 'e', 1.0),
+    ("ETAN", 'e', 2.0),
+];
+
+/// Words with a value behind `=`, and their letters.
+pub(super) const ADDRESSES: [(&str, u8); 3] = [("PW", b'w'), ("PL", b'l'), ("SD", b'd')];
+
+impl Interpreter {
+    /// The modes that the words set.
+    pub(super) fn spline_words(&mut self, words: &mut Words, demands: &mut Demands) {
+        for (i, letter) in ['b', 'e'].into_iter().enumerate() {
+            if let Some(word) = words.take(letter) {
+                let boundary = match word.value {
+                    0.0 => Boundary::Auto,
+                    1.0 => Boundary::Natural,
+                    _ => Boundary::Tangent,
+                };
+                self.curves.boundaries[i] = boundary;
+                // The end is told where the spline begins, or with its last points.
+                if let (1, Some(spline)) = (i, &mut self.spline) {
+                    spline.boundaries[1] = boundary;
+                }
+            }
+        }
+        if let Some(word) = words.take('s') {
+            let family = match word.value {
+                0.0 => Family::Akima,
+                1.0 => Family::Controls,
+                _ => Family::Cubic,
+            };
+            let motion = Some(Motion::Named(family));
+            (demands.motion, self.modal.motion) = (motion, motion);
+            self.modal.cycle.end();
+        }
+    }
+
+    /// Before a spline ends at a block: where that block leads to is its tangent, if it asks for
+    /// that.
+    pub(super) fn look_ahead(&mut self, words: &Words) {
+        let heading = match &self.spline {
+            Some(spline) if matches!(spline.motion, Motion::Named(_)) => self.heading_of(words),
+            _ => return,
+        };
+        if let Some(spline) = &mut self.spline {
+            spline.tangents[1] = heading;
+        }
+    }
+
+    /// The direction in which the move of a block begins.
+    fn heading_of(&self, words: &Words) -> Option<DVec2> {
+        let plane = self.modal.plane;
+        let start = self.modal.frame.unmap(self.modal.position);
+        let flat = |point: DVec3| plane.split(self.modal.frame.map(point)).0;
+        let (mut to, mut center) = (start, start);
+        for (i, letter) in AXES.into_iter().enumerate() {
+            if let Some(word) = words.find(letter) {
+                let value = self.modal.length_of(i, word.value);
+                to[i] = if self.modal.relative { to[i] + value } else { value };
+            }
+        }
+        for (i, letter) in ['I', 'J', 'K'].into_iter().enumerate() {
+            let word = words.find(letter);
+            center[i] += word.map_or(0.0, |word| word.value * self.modal.unit());
+        }
+        let (from, to) = (plane.split(self.modal.position).0, flat(to));
+        let heading = match self.modal.motion? {
+            Motion::Rapid | Motion::Linear => to - from,
+            Motion::Arc { clockwise } => {
+                let clockwise = clockwise != self.modal.frame.flips(plane);
+                if let Some(word) = words.find('R') {
+                    let form = if word.value < 0.0 { RadiusForm::Major } else { RadiusForm::Minor };
+                    let radius =
+                        word.value.abs() * self.modal.unit() * self.modal.frame.factor(plane)?;
+                    tangent_by_radius(from, to, radius, form, clockwise, 0.0)?
+                } else {
+                    around(from - flat(center), clockwise)
+                }
+            }
+            _ => return None,
+        };
+        heading.try_normalize()
+    }
+}
+
+/// The direction of a turn about a centre, where it is `arm` away [mm].
+fn around(arm: DVec2, clockwise: bool) -> DVec2 {
+    if clockwise { -perp(arm) } else { perp(arm) }
+}
+
+fn tangent_by_radius(
+    from: DVec2,
+    to: DVec2,
+    radius: f64,
+    form: RadiusForm,
+    clockwise: bool,
+    t: f64,
+) -> Option<DVec2> {
+    let arc = Arc::from_radius(from, to, radius, form, clockwise, ARC_TOLERANCE).ok()?;
+    Some(arc.tangent(t))
+}
+
+/// The direction in which a shape ends.
+pub(super) fn end_heading(from: DVec2, shape: &Shape) -> Option<DVec2> {
+    let heading = match shape {
+        Shape::Line { to } => *to - from,
+        Shape::Arc { to, center, clockwise } => around(*to - *center, *clockwise),
+        Shape::ArcByRadius { to, radius, form, clockwise } => {
+            tangent_by_radius(from, *to, *radius, *form, *clockwise, 1.0)?
+        }
+        Shape::Bezier { controls } => match controls[..] {
+            [.., before, to] => to - before,
+            _ => return None,
+        },
+        Shape::Spline(_) => return None,
+    };
+    heading.try_normalize()
+}
