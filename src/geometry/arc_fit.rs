@@ -56,6 +56,16 @@ const SAMPLES: usize = 9;
 /// hundredth of what it may be off at first.
 const STEPS: usize = 12;
 
+/// Cubics up to which a stretch is looked for by its samples alone, and proved once it is found: on
+/// more there may be something between the samples.
+const SAMPLED: f64 = 4.0;
+
+/// Share of the tolerance that samples of such a stretch may be off: mostly it is then proved.
+const LIKELY: f64 = 0.97;
+
+/// Part of a stretch that is tried where it cannot be proved.
+const SHORTER: f64 = 0.95;
+
 /// Largest radius written as an arc [mm]; flatter ones are lines if the tolerance allows. Controls
 /// compute centres in single precision, which is good to half a micrometre here.
 const MAX_RADIUS: f64 = 1e4;
@@ -153,17 +163,17 @@ fn fit_smooth(
     let mut from = 0.0;
     let mut step = 1.0;
     while from < end {
-        let attempt = |to: f64| {
+        let attempt = |to: f64, proved: bool| {
             let stretch = Stretch { cubics, from, to };
             let least = LEAST_SHARE * stretch.locate(from).0.hull_length();
-            fit_stretch(&stretch, at, tolerance.max(least))
+            fit_stretch(&stretch, at, tolerance.max(least), proved || to - from > SAMPLED)
         };
         let mut good: Option<(f64, Fit)> = None;
         let mut bad = None;
         // Doubling while it works, halving until it does.
         loop {
             let to = (from + step).min(end);
-            match attempt(to) {
+            match attempt(to, false) {
                 Some(fit) => {
                     good = Some((to, fit));
                     if to >= end || bad.is_some() {
@@ -188,7 +198,7 @@ fn fit_smooth(
         if let (Some((mut low, _)), Some(mut high)) = (good, bad) {
             for _ in 0..6 {
                 let middle = 0.5 * (low + high);
-                if let Some(fit) = attempt(middle) {
+                if let Some(fit) = attempt(middle, false) {
                     low = middle;
                     good = Some((middle, fit));
                 } else {
@@ -198,7 +208,13 @@ fn fit_smooth(
         }
         // A stretch that short is a line within the least tolerance, so something is good, unless
         // the cubic is not made of numbers.
-        let (to, fit) = good.unwrap_or(((from + 1.0).min(end), Fit::Nothing));
+        let (mut to, fit) = good.unwrap_or(((from + 1.0).min(end), Fit::Nothing));
+        let mut fit = if matches!(fit, Fit::Nothing) { Some(fit) } else { attempt(to, true) };
+        while fit.is_none() && to - from > LEAST_SHARE {
+            to = from + SHORTER * (to - from);
+            fit = attempt(to, true);
+        }
+        let fit = fit.unwrap_or(Fit::Nothing);
         step = (to - from).max(LEAST_SHARE);
         if let Fit::Piece(piece) = fit {
             at = piece.end();
@@ -224,7 +240,9 @@ enum Fit {
 }
 
 /// The line or the arc from `start` that follows the stretch, if one is near enough.
-fn fit_stretch(stretch: &Stretch, start: DVec2, tolerance: f64) -> Option<Fit> {
+///
+/// That it follows is proved, or else only likely by the samples.
+fn fit_stretch(stretch: &Stretch, start: DVec2, tolerance: f64, proved: bool) -> Option<Fit> {
     let Ok(chord) = Line::new(start, stretch.point(stretch.to)) else {
         let whole = stretch.locate(stretch.from).0;
         let length = whole.hull_length() * (stretch.to - stretch.from);
@@ -232,8 +250,9 @@ fn fit_stretch(stretch: &Stretch, start: DVec2, tolerance: f64) -> Option<Fit> {
     };
     let samples = stretch.samples();
     for piece in [Some(ArcOrLine::Line(chord)), arc_along(&chord, &samples)].into_iter().flatten() {
-        if samples.iter().all(|&point| distance_off(&piece, point) <= tolerance)
-            && stretch.follows(&piece, tolerance)
+        let limit = if proved { tolerance } else { LIKELY * tolerance };
+        if samples.iter().all(|&point| distance_off(&piece, point) <= limit)
+            && (!proved || stretch.follows(&piece, tolerance))
         {
             return Some(Fit::Piece(piece));
         }
