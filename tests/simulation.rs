@@ -4,7 +4,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use g41::compensation::{CornerStyle, GougePolicy, Options};
 use g41::contour::{Move, MoveCurve, Role, ToolPath};
-use g41::diagnostic::Severity;
+use g41::diagnostic::{Origin, Severity};
 use g41::program::{Dialect, EmitOptions, Item, Program, Rules, emit, interpret};
 use g41::simulation::{ListedTool, ToolSize, Tools, check_program, compensate_program};
 use glam::DVec2;
@@ -332,4 +332,39 @@ fn a_room_behind_a_corridor_is_crossed_to_above_the_part() {
     let written = emit(&path, &EmitOptions::default());
     let codes: Vec<_> = written.diagnostics.iter().map(|d| d.code).collect();
     assert_eq!(codes, ["no-clearance"], "it comes at the height 0 only: {}", written.text);
+}
+
+/// Inverse-time feed (G93): the moves of each block take as long as it says, whatever
+/// compensation has made of them.
+#[test]
+fn the_moves_of_a_block_together_take_the_time_that_it_says() {
+    let text = "G21 G0 X-20 Y0 Z5\nG93 G1 Z0 F4\nG42 D1 X0 F2\nX40 F1\nY20 F0.5\nG1 Z-1 F8\n\
+                G2 X50 Y30 I10 J0 F2\nG3 X50 Y50 I0 J10 Z2 F0.25\nG40 G1 Y90 F3\nX0 F5\nM2\n";
+    let minutes = [
+        (2, 4.0),
+        (3, 2.0),
+        (4, 1.0),
+        (5, 0.5),
+        (6, 8.0),
+        (7, 2.0),
+        (8, 0.25),
+        (9, 3.0),
+        (10, 5.0),
+    ];
+    let path = path_of(text, 3.0);
+    assert_eq!(codes(&path), [], "{:?}", path.diagnostics);
+    for (line, per_minute) in minutes {
+        let is_own =
+            |step: &&Move| matches!(step.origin, Origin::Block { line: l, .. } if l == line);
+        let own: Vec<&Move> = path.moves.iter().filter(is_own).collect();
+        assert!(!own.is_empty(), "line {line} moves");
+        let time: f64 = own
+            .iter()
+            .map(|step| {
+                let climb = step.heights[1] - step.heights[0];
+                step.curve.length().hypot(climb) / step.feed.expect("a feed")
+            })
+            .sum();
+        assert!((time * per_minute - 60.0).abs() < 1e-9, "line {line}: {time} s");
+    }
 }

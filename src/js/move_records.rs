@@ -46,6 +46,8 @@ fn record(step: &Move, numbering: &Numbering) -> [f64; STRIDE] {
         Role::LeadOut => 3.0,
         Role::Free => 4.0,
     };
+    let from = plane.place(curve.start(), heights[0]);
+    let to = plane.place(curve.end(), heights[1]);
     let plane = match plane {
         Plane::Xy => 0.0,
         Plane::Zx => 1.0,
@@ -61,11 +63,10 @@ fn record(step: &Move, numbering: &Numbering) -> [f64; STRIDE] {
     let place = numbering.place_of(*origin);
     let contour = place.and_then(|place| place.contour).map_or(NONE, f64::from);
     let segment = place.map_or(NONE, |place| place.segment.into());
-    let (from, to) = (curve.start(), curve.end());
     let [a, b, c, d] = shape;
     [
-        kind, role, plane, feed, block, number, column, contour, segment, from.x, from.y,
-        heights[0], to.x, to.y, heights[1], a, b, c, d,
+        kind, role, plane, feed, block, number, column, contour, segment, from.x, from.y, from.z,
+        to.x, to.y, to.z, a, b, c, d,
     ]
 }
 

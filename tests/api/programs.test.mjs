@@ -48,6 +48,45 @@ test("moves of a program carry blocks, feeds in mm/min, and free moves", () => {
   assert.deepEqual([cut.origin.block, cut.origin.number], [4, 40]);
 });
 
+test("a profile is that of reading unless another is named, and an option wins over it", () => {
+  const text = "G21 G0 X0 Y0 F100\nG41 D1 G1 X20\nY20\nX0\nG40 X-20\nM2\n";
+  const kinds = (path) => path.moves.map(({ kind, role }) => `${kind} ${role}`);
+  const linuxcnc = ["arc transition", "arc transition"];
+  const read = parseProgram(text, { profile: "linuxcnc" });
+  const inserted = (options) =>
+    kinds(compensate(read, { ...tools, ...options })).filter((kind) => kind.endsWith("transition"));
+  assert.deepEqual(inserted({}), []);
+  assert.deepEqual(inserted({ profile: "g41" }), []);
+  const right = parseProgram(text.replace("G41", "G42"), { profile: "linuxcnc" });
+  const round = (options) =>
+    kinds(compensate(right, { ...tools, ...options })).filter((kind) => kind.endsWith("transition"));
+  assert.deepEqual(round({}), linuxcnc);
+  assert.deepEqual(round({ profile: "linuxcnc" }), linuxcnc);
+  assert.ok(!round({ corner: "linear" }).includes("arc transition"));
+});
+
+test("moves in other planes say x, y and z", () => {
+  const text = "G21 G18 G0 X10 Y5 Z1 F100\nG2 X14 Z5 Y8 I4 K0\nG19 G1 Y9 Z7\nM2\n";
+  const moves = compensate(parseProgram(text), { radius: 1 }).moves;
+  assert.deepEqual(
+    moves.map(({ plane, from, to }) => [plane, from, to]),
+    [
+      ["xz", [0, 0, 0], [10, 5, 1]],
+      ["xz", [10, 5, 1], [14, 8, 5]],
+      ["yz", [14, 8, 5], [14, 9, 7]],
+    ],
+  );
+  assert.deepEqual([moves[1].center, moves[1].clockwise], [[14, 5, 1], true]);
+});
+
+test("what the control refuses ends the path", () => {
+  const text = "G21 G0 X0 Y0 F100\nG41 D1 G1 X20\nX40\nG42 D1\nX60\nM2\n";
+  const path = compensate(parseProgram(text, { profile: "linuxcnc" }), tools);
+  const refused = path.diagnostics.filter(({ code }) => code === "refused");
+  assert.deepEqual(refused.map(({ severity, origin }) => [severity, origin.block]), [["error", 4]]);
+  assert.deepEqual(path.moves.at(-1)?.to, [20, 3, 0]);
+});
+
 test("a tool without radius is a diagnostic", () => {
   const path = compensate(parseProgram(program));
   assert.ok(path.diagnostics.some(({ code }) => code === "missing-radius"));
