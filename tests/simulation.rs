@@ -368,3 +368,19 @@ fn the_moves_of_a_block_together_take_the_time_that_it_says() {
         assert!((time * per_minute - 60.0).abs() < 1e-9, "line {line}: {time} s");
     }
 }
+
+#[test]
+fn a_subprogram_called_at_two_places_is_judged_place_by_place() {
+    // The second call runs 4 mm beside the first: nearer to its wall than the radius.
+    let text = "o1 sub\nG91\nG1 G41 D1 Y-10 F300\nX30\nG40 Y10\nG90\no1 endsub\n\
+                G0 X0 Y20\no1 call\nG0 X0 Y16\no1 call\nM2\n";
+    let read = interpret(&Program::parse(text, Dialect::Auto), Rules::default());
+    let tools = Tools::all(3.0);
+    let path = compensate_program(&read, &tools, &Options::default());
+    assert_eq!(path.contours.len(), 2, "{:?}", path.contours);
+    assert_eq!(check_program(&read, &path, &tools, 1e-3), [], "each is clear of its own");
+    let mut swapped = path;
+    swapped.contours.swap(0, 1);
+    let found = check_program(&read, &swapped, &tools, 1e-3);
+    assert!(!found.is_empty(), "held against each other they are too near");
+}

@@ -70,6 +70,7 @@ pub fn refuse_gouges(path: &mut ToolPath) {
         .with_segments(deepest.segments.iter().copied());
     diagnostic.origin = deepest.segments.first().copied();
     path.moves.clear();
+    path.contours.clear();
     path.transitions.clear();
     path.words.clear();
     path.diagnostics.push(diagnostic);

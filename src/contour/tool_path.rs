@@ -241,6 +241,8 @@ pub struct ToolPath {
     pub gouges: Vec<Gouge>,
     /// What the tool cannot reach, where that was looked for.
     pub uncut: Vec<Uncut>,
+    /// Where the path is one of a program: the first move of each contour, and behind its last.
+    pub contours: Vec<[usize; 2]>,
     /// Its loops, where several passes were asked for.
     pub loops: Vec<PathLoop>,
     /// Words to be passed through.
@@ -253,6 +255,10 @@ impl ToolPath {
         for words in &mut other.words {
             words.before += self.moves.len();
         }
+        for [first, end] in &mut other.contours {
+            *first += self.moves.len();
+            *end += self.moves.len();
+        }
         let loops = self.loops.len();
         for one in &mut other.loops {
             one.first_move += self.moves.len();
@@ -264,6 +270,7 @@ impl ToolPath {
         self.diagnostics.append(&mut other.diagnostics);
         self.gouges.append(&mut other.gouges);
         self.uncut.append(&mut other.uncut);
+        self.contours.append(&mut other.contours);
         self.loops.append(&mut other.loops);
         self.words.append(&mut other.words);
     }

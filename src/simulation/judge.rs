@@ -2,15 +2,15 @@
 
 use super::Tools;
 use super::ahead::part;
-use crate::contour::{Gouge, Move, ToolPath};
-use crate::diagnostic::Origin;
+use crate::contour::{Gouge, ToolPath};
 use crate::gouge::check;
-use crate::program::{Interpretation, Item, ProgrammedContour};
+use crate::program::{Interpretation, Item};
 
 /// Finds where `path` comes nearer than the radius − `tolerance` [mm] to the contours of a program.
 ///
-/// Each contour is held against the moves that its own blocks make: others are there for other
-/// heights, or cut away first what it finishes. A contour whose tool has no radius is not judged.
+/// Each contour is held against the moves that were made for it: others are there for other heights,
+/// or cut away first what it finishes. A path that was not made from a program is held against all of
+/// them. A contour whose tool has no radius is not judged.
 #[must_use]
 pub fn check_program(
     interpretation: &Interpretation,
@@ -19,11 +19,16 @@ pub fn check_program(
     tolerance: f64,
 ) -> Vec<Gouge> {
     let mut gouges = Vec::new();
+    let mut ranges = path.contours.iter();
     for item in &interpretation.items {
         let Item::Contour(programmed) = item else { continue };
+        let [first, end] = match ranges.next() {
+            Some(range) => *range,
+            None if path.contours.is_empty() => [0, path.moves.len()],
+            None => break,
+        };
         let Some(radius) = tools.radius_of(programmed) else { continue };
-        let own = |step: &&Move| comes_from(step, programmed);
-        let moves = path.moves.iter().filter(own).copied().collect();
+        let moves = path.moves[first..end].to_vec();
         let own = ToolPath { moves, ..ToolPath::default() };
         if !programmed.leads_in {
             gouges.append(&mut check(&programmed.contour, &own, radius, tolerance));
@@ -32,13 +37,4 @@ pub fn check_program(
         }
     }
     gouges
-}
-
-/// Whether a move was programmed in the blocks of a contour.
-fn comes_from(step: &Move, programmed: &ProgrammedContour) -> bool {
-    let [first, last] = programmed.blocks;
-    match step.origin {
-        Origin::Block { line, .. } => (first..=last).contains(&line),
-        Origin::Segment(_) => false,
-    }
 }

@@ -204,6 +204,7 @@ impl Course {
         }
         let own = compensated.moves.len();
         self.path.append(compensated);
+        self.path.contours.push([before, self.path.moves.len()]);
         if avoids {
             let joins = self.path.moves.len() - own;
             self.judge_leads(&programmed.contour, [before, joins], tool, options);
