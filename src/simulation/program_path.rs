@@ -174,10 +174,14 @@ impl Course {
 
     fn contour(&mut self, programmed: &ProgrammedContour, tools: &Tools, options: &Options) {
         let origin = Origin::Block { line: programmed.blocks[0], number: None, column: None };
-        let tool = self.tool(programmed, tools, origin);
-        let before = self.path.moves.len();
         let avoids = options.gouge == GougePolicy::Avoid;
-        let mut compensated = if options.lead == LeadStyle::LinuxCnc && !avoids {
+        let looks_ahead = options.lead == LeadStyle::LinuxCnc && !avoids;
+        let tool = self.tool(programmed, tools, origin, looks_ahead);
+        if self.is_stopped {
+            return;
+        }
+        let before = self.path.moves.len();
+        let mut compensated = if looks_ahead {
             let orientation = tools.orientation_of(programmed);
             let (path, finished) = with_look_ahead(programmed, tool, orientation, options, origin);
             self.is_stopped = !finished;
@@ -258,11 +262,31 @@ impl Course {
         }
     }
 
-    /// The tool of a contour; one without radius where it is not known.
-    fn tool(&mut self, programmed: &ProgrammedContour, tools: &Tools, origin: Origin) -> Tool {
+    /// The tool of a contour; one without radius where it is not known. A control that looks ahead
+    /// stops there, unless there is no tool at all.
+    fn tool(
+        &mut self,
+        programmed: &ProgrammedContour,
+        tools: &Tools,
+        origin: Origin,
+        looks_ahead: bool,
+    ) -> Tool {
         let radius = tools.radius_of(programmed);
         let known = radius.and_then(|radius| Tool::new(radius, programmed.side));
         known.unwrap_or_else(|| {
+            let without = Tool::new(0.0, programmed.side).expect("zero is a radius");
+            if looks_ahead && radius.is_none() {
+                if programmed.radius == RadiusSource::Tool(0) {
+                    let message = "no tool is in the spindle: nothing is compensated";
+                    self.path.diagnostics.push(
+                        Diagnostic::warning("no-tool", message)
+                            .with_origin(origin)
+                            .with_hint("change to a tool (T M6) before, or name one by D"),
+                    );
+                    return without;
+                }
+                self.is_stopped = true;
+            }
             let message = match programmed.radius {
                 RadiusSource::Tool(number) if radius.is_none() => {
                     format!("the radius of tool {number} is not known")
@@ -275,7 +299,7 @@ impl Course {
                     .with_point(programmed.contour.start())
                     .with_hint("give the radius of the tool, or one for all tools; until then nothing is compensated"),
             );
-            Tool::new(0.0, programmed.side).expect("zero is a radius")
+            without
         })
     }
 }

@@ -108,7 +108,7 @@ fn without_a_tool_in_the_spindle_nothing_is_compensated() {
         G40 X1
         X1.25 Z0.5
         M2",
-        &[(0, 0.0, 0)],
+        &[],
         INCH,
         "G0 0 0.5 0.25
         G1 0.25 0.5 0.25
