@@ -119,6 +119,9 @@ impl Survey<'_> {
                 (stretches[k].end, stretches[next].start) = (place, place);
             }
         }
+        if !self.fates.contains(&Fate::Open) {
+            return stretches;
+        }
         let mut kept = Vec::with_capacity(stretches.len());
         let mut flips = crossings;
         for stretch in stretches {
