@@ -83,6 +83,38 @@ for (const scheme of ["light", "dark"] as const) {
   }
 }
 
+for (const scheme of ["light", "dark"] as const) {
+  for (const [name, width, height] of [
+    ["wide", 1440, 900],
+    ["narrow", 390, 844],
+  ] as const) {
+    test(`${scheme}, ${name}: a very long program without violation`, async ({ page }, info) => {
+      await page.emulateMedia({ colorScheme: scheme });
+      await page.setViewportSize({ width, height });
+      const g41 = new G41Page(page);
+      await g41.open();
+      const lines = ["G21 G90 G1 F500"];
+      for (let i = 0; lines.length < 110_000; i += 1) {
+        const [angle, radius] = [i / 150, 5 + i / 1600];
+        const [x, y] = [radius * Math.cos(angle), radius * Math.sin(angle)];
+        lines.push(i % 9000 === 5 ? "X?" : `X${x.toFixed(3)} Y${y.toFixed(3)}`);
+      }
+      await g41.drop({ name: "spiral.nc", text: [...lines, "M30", ""].join("\n") });
+      const work = page.locator("#work");
+      await expect(work).toBeVisible();
+      expect(await violations(page)).toEqual([]);
+      await expect(work).toBeHidden({ timeout: 60_000 });
+      await g41.frames(10);
+      await page.locator(".diagnostic button").first().click();
+      await expect(page.locator(".row.current")).toHaveClass(/has-error/);
+      await page.screenshot({ path: info.outputPath(`long-${name}.png`), fullPage: true });
+      expect(await violations(page)).toEqual([]);
+      const scroll = await page.evaluate(() => document.documentElement.scrollWidth);
+      expect(scroll).toBeLessThanOrEqual(width);
+    });
+  }
+}
+
 test("the button changes the scheme, and the choice stays", async ({ page }) => {
   await page.emulateMedia({ colorScheme: "light" });
   const g41 = new G41Page(page);

@@ -16,13 +16,7 @@ test("the picture follows a drag at once, and the long text when it rests", asyn
   const g41 = new G41Page(page);
   await g41.open();
   const text = program(6000);
-  await page.locator("input[type=file]").evaluate((element, content) => {
-    const chosen = new DataTransfer();
-    chosen.items.add(new File([content], "long.nc", { type: "text/plain" }));
-    const input = element as HTMLInputElement;
-    input.files = chosen.files;
-    input.dispatchEvent(new Event("change", { bubbles: true }));
-  }, text);
+  await g41.drop({ name: "long.nc", text });
   await expect(g41.output).toHaveValue(/X29/, { timeout: 30_000 });
   await g41.settled();
   // Near enough to tell one point from the next, about the start.

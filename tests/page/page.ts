@@ -1,3 +1,4 @@
+/// <reference types="node" />
 // What the tests of the page share: opening it, and finding places of the picture on the screen.
 import type { Locator, Page } from "@playwright/test";
 import { expect } from "@playwright/test";
@@ -16,8 +17,8 @@ export class G41Page {
   constructor(readonly page: Page) {
     this.canvas = page.locator("canvas.overlay");
     this.base = page.locator("canvas.base");
-    this.program = page.getByLabel("Program of the part");
-    this.output = page.getByLabel("Compensated program", { exact: true });
+    this.program = page.locator("#panel-program textarea");
+    this.output = page.locator("#panel-output textarea");
     page.on("pageerror", (error) => this.errors.push(error.message));
     page.on("console", (message) => message.type() === "error" && this.errors.push(message.text()));
   }
@@ -32,6 +33,28 @@ export class G41Page {
       await expect(this.output).not.toHaveValue(before);
     }
     await this.frames(3);
+  }
+
+  /** Drops files onto the page. */
+  async drop(...files: { name: string; text: string }[]): Promise<void> {
+    await this.page.evaluate((all) => {
+      const dataTransfer = new DataTransfer();
+      for (const { name, text } of all) {
+        dataTransfer.items.add(new File([text], name, { type: "text/plain" }));
+      }
+      for (const type of ["dragenter", "dragover", "drop"]) {
+        const event = new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true });
+        document.body.dispatchEvent(event);
+      }
+    }, files);
+  }
+
+  /** Saves by a button, and returns the name and the text of the file. */
+  async saved(button: Locator): Promise<{ name: string; text: string }> {
+    const [download] = await Promise.all([this.page.waitForEvent("download"), button.click()]);
+    const chunks: Buffer[] = [];
+    for await (const chunk of await download.createReadStream()) chunks.push(chunk as Buffer);
+    return { name: download.suggestedFilename(), text: Buffer.concat(chunks).toString() };
   }
 
   /** Waits for animation frames. */

@@ -74,12 +74,12 @@ test("a bad program is answered with diagnostics and their lines", async ({ page
   const g41 = new G41Page(page);
   await g41.open();
   const text = await g41.program.inputValue();
-  await g41.program.fill(text.replace("N60 G1 X26", "N60 G1 X26 Q#7"));
+  await g41.program.fill(text.replace("N60 G1 X26", "N60 G1 X26 Q?7"));
   const list = page.locator("#diagnostics li");
   await expect(list.first()).toBeVisible();
   await expect(page.locator("#diagnostics")).toContainText("line 8");
   await list.first().getByRole("button").click();
-  await expect(page.locator(".copy .current")).toContainText("Q#7");
+  await expect(page.locator(".copy .current")).toContainText("Q?7");
   await page.keyboard.press("Control+z");
   await expect(list).toHaveCount(0);
   expect(g41.errors).toEqual([]);

@@ -6,16 +6,24 @@ import { type Point, roundTo } from "./geometry";
 import { INITIAL_SETTINGS, type Settings } from "./parameters";
 import { locate, type Part, type PointRef, type SegmentKind } from "./part";
 import { rewrite, withSide } from "./program-text";
-import { NO_PART, type Store } from "./state";
+import { type Document, NO_PART, type Store } from "./state";
 
 /** The finest step of a coordinate [mm]: what a program can write. */
 const FINEST = 0.001;
 
 /** Opens an example; it can be undone like any edit. */
-export function openExample(store: Store, example: Example): void {
-  const settings = { ...INITIAL_SETTINGS, ...example.settings };
-  store.edit({ text: example.text, part: NO_PART, partText: "", settings }, undefined, undefined);
-  store.set({ corner: undefined, selection: undefined, chosen: undefined });
+export function openExample(store: Store, { id, text, settings }: Example): void {
+  const { target } = store.document.settings;
+  const own = { ...INITIAL_SETTINGS, target, ...settings };
+  const file = undefined;
+  openText(store, { name: `${id}.nc`, text, file, part: NO_PART, partText: "", settings: own });
+}
+
+/** Shows another document; it can be undone like any edit. */
+export function openText(store: Store, document: Document): void {
+  store.edit(document, undefined, undefined);
+  const none = { corner: undefined, selection: undefined, caret: undefined, hover: undefined };
+  store.set({ ...none, chosen: undefined, pointed: undefined, notice: undefined });
 }
 
 /** Where a point is put that is moved to a place: at a multiple of a step [mm]. */

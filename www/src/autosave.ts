@@ -1,5 +1,7 @@
 // Keeps the document over a reload, in the storage of the browser.
 
+import type { ToolSize } from "g41";
+import { DIALECTS, isName, PROFILES, TARGETS } from "./controls";
 import { INITIAL_SETTINGS, type Settings } from "./parameters";
 import type { Store } from "./state";
 
@@ -11,6 +13,7 @@ const MOST_LETTERS = 500_000;
 
 /** What is kept. */
 export interface Saved {
+  readonly name: string;
   readonly text: string;
   readonly settings: Settings;
 }
@@ -20,9 +23,9 @@ export function restore(): Saved | undefined {
   try {
     const saved: unknown = JSON.parse(localStorage.getItem(KEY) ?? "null");
     if (!saved || typeof saved !== "object") return undefined;
-    const { text, settings } = saved as Partial<Saved>;
+    const { name, text, settings } = saved as Partial<Saved>;
     if (typeof text !== "string" || !settings || typeof settings !== "object") return undefined;
-    return { text, settings: valid(settings) };
+    return { name: typeof name === "string" ? name : "", text, settings: valid(settings) };
   } catch {
     return undefined;
   }
@@ -35,10 +38,10 @@ export function autosave(store: Store): void {
     if (state.history.present === before.history.present) return;
     clearTimeout(timer);
     timer = window.setTimeout(() => {
-      const { text, settings } = store.document;
+      const { name, text, file, settings } = store.document;
       try {
-        if (text.length <= MOST_LETTERS)
-          localStorage.setItem(KEY, JSON.stringify({ text, settings }));
+        if (!file && text.length <= MOST_LETTERS)
+          localStorage.setItem(KEY, JSON.stringify({ name, text, settings }));
       } catch {
         // Where storage is full or forbidden, the document lasts as long as the page.
       }
@@ -48,16 +51,39 @@ export function autosave(store: Store): void {
 
 /** Settings whose every value is one that the controls could have given. */
 function valid(saved: Partial<Settings>): Settings {
+  const { profile, dialect, target, tools } = saved;
   const { radius, corner, spline, tolerance, gouge, passes, stepover } = saved;
   const number = (value: unknown, otherwise: number) =>
     typeof value === "number" && Number.isFinite(value) && value >= 0 ? value : otherwise;
   return {
+    profile: isName(PROFILES, profile) ? profile : INITIAL_SETTINGS.profile,
+    dialect: isName(DIALECTS, dialect) ? dialect : INITIAL_SETTINGS.dialect,
+    target: isName(TARGETS, target) ? target : INITIAL_SETTINGS.target,
+    tools: validTools(tools),
     radius: number(radius, INITIAL_SETTINGS.radius),
     tolerance: Math.max(0.0001, number(tolerance, INITIAL_SETTINGS.tolerance)),
-    corner: corner === "arc" ? "arc" : "linear",
+    corner: corner === "arc" || corner === "linear" ? corner : "profile",
     spline: spline === "type-points" ? "type-points" : "exact",
     gouge: gouge === "avoid" || gouge === "stop" ? gouge : "report",
     passes: passes === "all" ? "all" : "one",
     stepover: Math.max(0.01, number(stepover, INITIAL_SETTINGS.stepover)),
   };
+}
+
+/** The tools that a saved list names rightly. */
+function validTools(saved: unknown): Record<number, ToolSize> {
+  const tools: Record<number, ToolSize> = {};
+  if (!saved || typeof saved !== "object") return tools;
+  for (const [number, size] of Object.entries(saved)) {
+    const { radius, diameter, orientation } = (size ?? {}) as Partial<Record<string, unknown>>;
+    const isSize = (value: unknown): value is number =>
+      typeof value === "number" && Math.abs(value) <= 1e6;
+    const way = Number.isInteger(orientation) ? { orientation: Number(orientation) } : {};
+    if (!/^\d{1,9}$/.test(number) || (way.orientation ?? 0) < 0 || (way.orientation ?? 0) > 9) {
+      continue;
+    }
+    if (isSize(radius)) tools[Number(number)] = { radius, ...way };
+    else if (isSize(diameter)) tools[Number(number)] = { diameter, ...way };
+  }
+  return tools;
 }

@@ -1,55 +1,102 @@
 // Talks to the worker: one request under way, and of those that wait only the latest is sent.
 
+import type { Strokes } from "./large/strokes";
 import type { Settings } from "./parameters";
-import type { Reply, Result } from "./result";
+import type { Reply, Request, Result } from "./result";
 
 /** What is asked of the worker. */
 export interface Question {
   readonly text: string;
+  readonly file: File | undefined;
   readonly settings: Settings;
+}
+
+/** What is told of an answer, and on the way to it. */
+export interface Listeners {
+  result(result: Result, strokes: readonly Strokes[]): void;
+  failure(message: string): void;
+  busy(busy: boolean): void;
+  /** How much is done, from 0 to 1, of what takes long. */
+  progress(step: string, part: number): void;
 }
 
 /** Starts the worker; `ask` may be called at any rate. */
 export class ComputeClient {
   #worker: Worker;
-  #underWay = false;
+  #underWay: Question | undefined;
   #waiting: Question | undefined;
+  /** The last answered, unless another was asked since. */
+  #answered: Question | undefined;
   #id = 0;
+  #tell: Listeners;
 
-  #onBusy: (busy: boolean) => void;
-
-  constructor(
-    onResult: (result: Result) => void,
-    onFailure: (message: string) => void,
-    onBusy: (busy: boolean) => void,
-  ) {
-    this.#onBusy = onBusy;
-    this.#worker = new Worker(new URL("./compute.worker.ts", import.meta.url), { type: "module" });
-    this.#worker.addEventListener("message", ({ data }: MessageEvent<Reply>) => {
-      this.#underWay = false;
-      this.#sendWaiting();
-      if (data.kind === "result") onResult(data.result);
-      else onFailure(data.message);
-      if (!this.#underWay) onBusy(false);
-    });
-    this.#worker.addEventListener("error", (event) => {
-      onFailure(event.message || "the worker could not be started");
-    });
+  constructor(listeners: Listeners) {
+    this.#tell = listeners;
+    this.#worker = this.#start();
   }
 
   /** Asks for the tool path of a text; an older question that was not sent yet is forgotten. */
   ask(question: Question): void {
+    const latest = this.#waiting ?? this.#underWay ?? this.#answered;
+    const isSame = latest?.text === question.text && latest.file === question.file;
+    if (isSame && latest.settings === question.settings) return;
     this.#waiting = question;
     if (this.#underWay) return;
-    this.#onBusy(true);
+    this.#tell.busy(true);
     this.#sendWaiting();
+  }
+
+  /** Stops what is under way, at once, and forgets what waits. */
+  cancel(): void {
+    this.#worker.terminate();
+    this.#worker = this.#start();
+    this.#forget();
+    this.#tell.busy(false);
+  }
+
+  #start(): Worker {
+    const worker = new Worker(new URL("./compute.worker.ts", import.meta.url), { type: "module" });
+    worker.addEventListener("message", ({ data }: MessageEvent<Reply>) => this.#take(data));
+    worker.addEventListener("error", (event) => {
+      // Where memory has ended, another worker has some.
+      this.cancel();
+      this.#tell.failure(event.message || "the worker could not be started");
+    });
+    return worker;
+  }
+
+  #forget(): void {
+    this.#underWay = undefined;
+    this.#waiting = undefined;
+    this.#answered = undefined;
+  }
+
+  #take(reply: Reply): void {
+    if (reply.kind === "progress") {
+      this.#tell.progress(reply.step, reply.part);
+      return;
+    }
+    const asked = this.#underWay;
+    this.#answered = asked;
+    this.#underWay = undefined;
+    this.#sendWaiting();
+    if (reply.kind === "result") this.#tell.result(named(reply.result, asked), reply.strokes);
+    else this.#tell.failure(reply.message);
+    if (!this.#underWay) this.#tell.busy(false);
   }
 
   #sendWaiting(): void {
     if (!this.#waiting) return;
+    const { text, file, settings } = this.#waiting;
     this.#id += 1;
-    this.#underWay = true;
-    this.#worker.postMessage({ id: this.#id, ...this.#waiting });
+    this.#underWay = this.#waiting;
     this.#waiting = undefined;
+    const request: Request = { id: this.#id, text, file, settings };
+    this.#worker.postMessage(request);
   }
+}
+
+/** A result by the file that was asked about, of which the worker has had a copy. */
+function named(result: Result, { file }: Partial<Question> = {}): Result {
+  return result.long && file ? { ...result, long: { ...result.long, file } } : result;
 }

@@ -1,73 +1,237 @@
 // The worker: reads a program, compensates it and sends the geometry back without copying it.
 
-import init, { compensate, parseProgram, RECORD_STRIDE } from "g41";
-import { compensationOptions } from "./parameters";
+import init, {
+  compensate,
+  type Diagnostic,
+  type Program,
+  ProgramCompensation,
+  ProgramReader,
+  parseProgram,
+  RECORD_STRIDE,
+  type ToolPath,
+} from "g41";
+import { modeAt } from "./contour-writer";
+import { boxOfStrokes, type Moves, movesOf, seen, strokesOf } from "./large/strokes";
+import { decoded, longText } from "./long-text";
+import { compensationOptions, parseOptions, radiusOfTool, type Settings } from "./parameters";
 import type { Lines, Reply, Request, Result } from "./result";
+import { boxOf } from "./view";
 
 /** How far the polylines on the screen may be from their curves [mm]. */
 const DRAWING_TOLERANCE = 0.002;
+/** Blocks of one slice of a very long program. */
+const SLICE = 20_000;
+/** Diagnostics of a very long program that are listed. */
+const MOST_DIAGNOSTICS = 2000;
+
+/** What is done with a very long program, and about which part of the time it takes. */
+const STEPS = [
+  ["Reading", 35],
+  ["Compensating", 30],
+  ["Writing", 20],
+  ["Drawing", 15],
+] as const;
+
+/** A very long program that was read, so that other settings need no second reading. */
+interface Held {
+  readonly key: string;
+  readonly program: Program;
+}
+
+/** What is said of work under way. */
+type Tell = (step: number, part: number) => void;
 
 let ready = init();
+let held: Held | undefined;
 
 self.addEventListener("message", async ({ data }: MessageEvent<Request>) => {
   const reply = await answer(data);
-  const buffers = reply.kind === "result" ? transferables(reply.result) : [];
-  self.postMessage(reply, { transfer: buffers });
+  self.postMessage(reply, { transfer: reply.kind === "result" ? transferables(reply) : [] });
 });
 
 async function answer(request: Request): Promise<Reply> {
   try {
     await ready;
-    return { kind: "result", result: compute(request) };
+    return request.file ? await computeLong(request, request.file) : compute(request);
   } catch (error) {
     // After an internal error the package asks to be loaded afresh.
     ready = init();
+    held = undefined;
     return { kind: "failure", id: request.id, message: String(error) };
   }
 }
 
-function compute({ id, text, settings }: Request): Result {
+/** All that is known of a program of a usual length. */
+function compute({ id, text, settings }: Request): Reply {
   const began = performance.now();
-  const { tolerance } = settings;
-  const program = parseProgram(text);
+  release();
+  const program = parseProgram(text, parseOptions(settings));
+  const path = compensate(program, compensationOptions(settings));
   try {
-    const path = compensate(program, compensationOptions(settings));
-    try {
-      const written = path.emit({ tolerance });
-      return {
-        id,
-        text,
-        settings,
-        contours: program.contours,
-        programmed: lines(program.polylines(DRAWING_TOLERANCE)),
-        path: lines(path.polylines(DRAWING_TOLERANCE)),
-        records: path.records(),
-        stride: RECORD_STRIDE,
-        transitions: path.transitions,
-        diagnostics: [...path.diagnostics, ...written.diagnostics],
-        gouges: path.gouges,
-        uncut: path.uncut,
-        gcode: written.text,
-        milliseconds: performance.now() - began,
-      };
-    } finally {
-      path[Symbol.dispose]();
-    }
+    const { target, tolerance } = settings;
+    const written = path.emit({ target, tolerance });
+    const diagnostics = [...path.diagnostics, ...written.diagnostics];
+    const { axes, rapids } = movesOf(path);
+    const programmed = lines(program.polylines(DRAWING_TOLERANCE), axes);
+    const drawn = lines(path.polylines(DRAWING_TOLERANCE), axes);
+    const { contours } = program;
+    const radii = contours.map(({ radius, tool, blocks }) => {
+      const unit = () => modeAt(text.split("\n"), blocks[0]).unit;
+      return radius ?? radiusOfTool(settings, tool, unit);
+    });
+    const room = Math.min(50, Math.abs(settings.radius));
+    const result: Result = {
+      id,
+      text,
+      settings,
+      axes,
+      box: boxOf(room, programmed.points, drawn.points) ?? boxOf(1, seen(rapids, axes)),
+      tools: program.tools,
+      long: undefined,
+      contours,
+      radii,
+      programmed,
+      path: drawn,
+      records: path.records(),
+      stride: RECORD_STRIDE,
+      transitions: path.transitions,
+      diagnostics,
+      counts: countsOf(diagnostics),
+      gouges: path.gouges,
+      uncut: path.uncut,
+      gcode: written.text,
+      milliseconds: performance.now() - began,
+    };
+    return { kind: "result", strokes: [], result };
   } finally {
+    path[Symbol.dispose]();
     program[Symbol.dispose]();
   }
 }
 
-function lines({ points, starts, owners }: Lines): Lines {
-  return { points, starts, owners };
+/** What is shown of a very long program, with word of how far it is. */
+async function computeLong({ id, settings }: Request, file: File): Promise<Reply> {
+  const began = performance.now();
+  const tell = teller(id);
+  tell(0, 0);
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  if (bytes.includes(0)) throw new Error(`${file.name} is not a text`);
+  const { text, encoding } = decoded(bytes);
+  const program = read(text, `${file.name} ${file.lastModified} ${file.size}`, settings, tell);
+  const path = compensated(program, settings, tell);
+  try {
+    tell(2, 0);
+    const { target, tolerance } = settings;
+    const written = path.emit({ target, tolerance });
+    const code = longText(new TextEncoder().encode(written.text));
+    tell(3, 0);
+    const moves = movesOf(path);
+    const strokes = strokesOf(program, path, moves);
+    const diagnostics = [...path.diagnostics, ...written.diagnostics];
+    const result: Result = {
+      ...NOTHING_LISTED,
+      id,
+      text: "",
+      settings,
+      axes: moves.axes,
+      box: boxOfStrokes(strokes),
+      tools: program.tools,
+      long: { file, text: longText(bytes, encoding), code, moves: path.count },
+      stride: RECORD_STRIDE,
+      diagnostics: gravest(diagnostics),
+      counts: countsOf(diagnostics),
+      milliseconds: performance.now() - began,
+    };
+    return { kind: "result", strokes, result };
+  } finally {
+    path[Symbol.dispose]();
+  }
 }
 
-function transferables({ programmed, path, records, uncut }: Result): Transferable[] {
-  const arrays = [programmed, path].flatMap(({ points, starts, owners }) => [
-    points,
-    starts,
-    owners,
-  ]);
-  const outlines = uncut.map(({ outline }) => outline);
-  return [...arrays, ...outlines, records].map((array) => array.buffer as ArrayBuffer);
+/** What a very long program has none of, since each list would be as long as it. */
+const NOTHING_LISTED = {
+  contours: [],
+  radii: [],
+  programmed: emptyLines(),
+  path: emptyLines(),
+  records: new Float64Array(),
+  transitions: [],
+  gouges: [],
+  uncut: [],
+  gcode: "",
+} as const;
+
+function emptyLines(): Lines {
+  return {
+    points: new Float64Array(),
+    starts: new Uint32Array(),
+    owners: new Uint32Array(),
+  };
+}
+
+/** Tells how much of everything is done. */
+function teller(id: number): Tell {
+  const all = STEPS.reduce((sum, [, share]) => sum + share, 0);
+  return (step, part) => {
+    const [name, share] = STEPS[step] ?? ["", 0];
+    const before = STEPS.slice(0, step).reduce((sum, [, other]) => sum + other, 0);
+    const done = (before + share * part) / all;
+    self.postMessage({ kind: "progress", id, step: name, part: done } satisfies Reply);
+  };
+}
+
+/** The program of a text, read in slices unless it is the one that is held. */
+function read(text: string, name: string, settings: Settings, tell: Tell): Program {
+  const key = JSON.stringify([name, parseOptions(settings)]);
+  if (held?.key === key) return held.program;
+  release();
+  const reader = new ProgramReader(text, parseOptions(settings));
+  while (reader.step(SLICE)) tell(0, reader.progress);
+  const program = reader.finish();
+  held = { key, program };
+  return program;
+}
+
+function release(): void {
+  held?.program[Symbol.dispose]();
+  held = undefined;
+}
+
+function compensated(program: Program, settings: Settings, tell: Tell): ToolPath {
+  tell(1, 0);
+  const work = new ProgramCompensation(program, compensationOptions(settings));
+  while (work.step(SLICE)) tell(1, work.progress);
+  return work.finish();
+}
+
+function countsOf(diagnostics: readonly Diagnostic[]): Result["counts"] {
+  const counts = { error: 0, warning: 0, info: 0 };
+  for (const { severity } of diagnostics) counts[severity] += 1;
+  return counts;
+}
+
+/** As many diagnostics as are listed, errors before all others. */
+function gravest(all: readonly Diagnostic[]): Diagnostic[] {
+  if (all.length <= MOST_DIAGNOSTICS) return [...all];
+  const errors = all.filter(({ severity }) => severity === "error");
+  const others = all.filter(({ severity }) => severity !== "error");
+  return [...errors, ...others].slice(0, MOST_DIAGNOSTICS);
+}
+
+function lines(
+  { points3, starts, owners }: ReturnType<ToolPath["polylines"]>,
+  axes: Moves["axes"],
+) {
+  return { points: seen(points3, axes), starts, owners };
+}
+
+function transferables({ result, strokes }: Reply & { kind: "result" }): Transferable[] {
+  const { programmed, path, records, uncut, long } = result;
+  const arrays: ArrayBufferView[] = [records];
+  for (const { points, starts, owners } of [programmed, path]) arrays.push(points, starts, owners);
+  for (const { outline } of uncut) arrays.push(outline);
+  for (const { points, lines } of strokes) arrays.push(points, lines);
+  for (const text of long ? [long.text, long.code] : []) arrays.push(text.bytes, text.starts);
+  const buffers = arrays.filter(({ byteLength }) => byteLength > 0);
+  return [...new Set(buffers.map((array) => array.buffer as ArrayBuffer))];
 }

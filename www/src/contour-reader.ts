@@ -89,6 +89,12 @@ class Reader {
         const points = pairs(segment.points);
         return { kind: "spline", points: points.map((at) => this.#take(at, isSpline)) };
       }
+      case "bezier": {
+        // Its control points are no points of the contour; the text is where they are changed.
+        this.#plain = false;
+        const end = pairs(segment.controls).at(-1) ?? [0, 0];
+        return { kind: "spline", points: [this.#take(end, isSpline)] };
+      }
     }
   }
 

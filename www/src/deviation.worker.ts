@@ -1,8 +1,9 @@
 // The worker behind the plot of deviations: both spline methods on one program.
 
 import init, { compensate, parseProgram, RECORD_STRIDE } from "g41";
+import { modeAt } from "./contour-writer";
 import { type Deviation, deviationOf, measureOf } from "./deviation";
-import { compensationOptions, type Settings } from "./parameters";
+import { compensationOptions, parseOptions, radiusOfTool, type Settings } from "./parameters";
 
 /** What is asked of it. */
 export interface DeviationRequest {
@@ -36,12 +37,13 @@ self.addEventListener("message", async ({ data }: MessageEvent<DeviationRequest>
 
 function deviations({ text, settings }: DeviationRequest): Deviations {
   const { tolerance } = settings;
-  const program = parseProgram(text);
+  const program = parseProgram(text, parseOptions(settings));
   try {
     const { contours } = program;
     const radiusAt = (line: number) => {
       const own = contours.find(({ blocks }) => line >= blocks[0] && line <= blocks[1]);
-      return Math.abs(own?.radius ?? settings.radius);
+      const unit = () => modeAt(text.split("\n"), own?.blocks[0] ?? 1).unit;
+      return Math.abs(own?.radius ?? radiusOfTool(settings, own?.tool, unit));
     };
     // A tool without a radius follows the contours themselves.
     const programmed = compensate(contours, { radius: 0 });

@@ -7,13 +7,17 @@ import "./style/layout.css";
 import "./style/panels.css";
 import "./style/findings.css";
 import "./style/deviation.css";
+import "./style/files.css";
 import "./style/narrow.css";
 import { openExample } from "./actions";
 import { autosave, restore } from "./autosave";
 import { ComputeClient } from "./compute-client";
 import { EXAMPLES } from "./examples";
+import { connectDrops, Files } from "./files";
 import { showpiece } from "./hit";
 import { connectKeys } from "./keyboard";
+import { PictureClient } from "./large/picture-client";
+import type { Strokes } from "./large/strokes";
 import { Drag } from "./live/drag";
 import { LiveClient } from "./live/live-client";
 import { callout } from "./panels/callout";
@@ -22,15 +26,18 @@ import { description } from "./panels/description";
 import { deviationPanel } from "./panels/deviation-panel";
 import { diagnosticsPanel } from "./panels/diagnostics-panel";
 import { find } from "./panels/elements";
+import { filePanel } from "./panels/file-panel";
 import { galleryMenu } from "./panels/gallery-menu";
 import { legend } from "./panels/legend";
 import { parametersPanel } from "./panels/parameters-panel";
 import { toolbar } from "./panels/toolbar";
+import { toolsPanel } from "./panels/tools-panel";
+import { workPanel } from "./panels/work-panel";
 import { INITIAL_SETTINGS } from "./parameters";
 import { locate } from "./part";
 import { connectPointers } from "./pointer";
 import { partOf } from "./program-text";
-import type { Result } from "./result";
+import { isResultOf, type Result } from "./result";
 import { connectScheme } from "./scheme";
 import { Stage } from "./stage";
 import { NO_PART, Store } from "./state";
@@ -41,21 +48,43 @@ if (!first) throw new Error("the gallery is empty");
 
 const saved = restore();
 const store = new Store({
+  name: saved?.name ?? `${first.id}.nc`,
   text: saved?.text ?? first.text,
+  file: undefined,
   part: NO_PART,
   partText: "",
   settings: saved?.settings ?? { ...INITIAL_SETTINGS, ...first.settings },
 });
 
 const readout = find("readout");
-const stage = new Stage(find("stage"), store, (view, pointer) => {
+const drawing = new PictureClient(
+  () => stage.refresh(),
+  (line) => {
+    if (store.state.result?.long && line !== store.state.hover) store.set({ hover: line });
+  },
+  (traced) => stage.showTraced(traced),
+);
+const stage = new Stage(find("stage"), store, drawing, (view, pointer) => {
   const digits = Math.min(3, Math.max(0, Math.ceil(Math.log10(view.scale))));
   const at = pointer && toWorld(view, pointer);
-  readout.textContent = at ? `X ${at[0].toFixed(digits)}  Y ${at[1].toFixed(digits)}` : "";
+  const [right, up] = (store.state.result?.axes ?? [0, 1]).map((axis) => "XYZ"[axis]);
+  readout.textContent = at
+    ? `${right} ${at[0].toFixed(digits)}  ${up} ${at[1].toFixed(digits)}`
+    : "";
 });
 
 /** Takes what the worker found, and derives what the page needs of it. */
-function take(result: Result): void {
+function take(result: Result, strokes: readonly Strokes[]): void {
+  files.take(result.long?.file);
+  // A very long program is shown as a whole or not at all.
+  if (result.long?.file !== store.document.file) return;
+  store.set({ work: undefined });
+  if (result.long) {
+    drawing.load(strokes, result.box ?? { min: [0, 0], max: [1, 1] });
+    store.set({ result, failure: undefined, corner: undefined, live: undefined, hover: undefined });
+    return;
+  }
+  drawing.clear();
   if (store.document.text === result.text && store.document.partText !== result.text) {
     store.amend({ part: partOf(result.text, result.contours), partText: result.text });
   }
@@ -79,20 +108,29 @@ function cornerOfSelection(result: Result): number | undefined {
 
 const liveClient = new LiveClient((live) => {
   // What was dragged last may be written and computed by now.
-  const isBehind = store.state.result?.text !== store.document.text;
+  const isBehind = !isResultOf(store.state.result, store.document);
   if (drag.isAhead || isBehind) store.set({ live });
 });
 const drag = new Drag(store, liveClient);
 
-const client = new ComputeClient(
-  take,
-  (message) => store.set({ failure: message }),
-  (busy) => find("stage").setAttribute("aria-busy", String(busy)),
-);
+const client = new ComputeClient({
+  result: take,
+  failure: (message) => {
+    if (!files.fail(message)) store.set({ failure: message, work: undefined });
+  },
+  busy: (busy) => find("stage").setAttribute("aria-busy", String(busy)),
+  progress: (step, part) => {
+    const name = files.opening ?? store.document.name;
+    store.set({ work: { name, step, part } });
+  },
+});
+const files = new Files(store, client, stage);
 store.subscribe((state, before) => {
-  const { text, settings } = state.history.present;
-  const old = before.history.present;
-  if (text !== old.text || settings !== old.settings) client.ask({ text, settings });
+  const { present } = state.history;
+  const { text, file, settings } = before.history.present;
+  if (present.text !== text || present.file !== file || present.settings !== settings) {
+    client.ask(present);
+  }
   if (state.selection !== before.selection && state.result) {
     const corner = cornerOfSelection(state.result);
     if (corner !== undefined && corner !== state.corner) store.set({ corner });
@@ -103,7 +141,11 @@ connectPointers(stage, store, drag);
 connectKeys(stage, store);
 toolbar(find("toolbar"), stage, store);
 parametersPanel(find("parameters"), store);
-const showLine = codePanel(store);
+filePanel(find<HTMLFormElement>("file"), files, store);
+toolsPanel(find("tools"), store);
+workPanel(find("work"), files, store);
+connectDrops(files);
+const showLine = codePanel(store, stage);
 diagnosticsPanel(find("diagnostics"), stage, store, showLine);
 callout(find("stage"), stage, store);
 deviationPanel(
@@ -126,4 +168,4 @@ galleryMenu(
 );
 autosave(store);
 
-client.ask({ text: store.document.text, settings: store.document.settings });
+client.ask(store.document);

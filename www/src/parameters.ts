@@ -1,10 +1,19 @@
 // The one table of parameters that the controls are made of.
 
+import type { Dialect, ParseOptions, Profile, ProgramOptions, Target, ToolSize } from "g41";
+
 /** The values of all parameters that are not part of the program. */
 export interface Settings {
-  /** Tool radius [mm]. */
+  /** The control that the program is written for. */
+  readonly profile: Profile;
+  readonly dialect: Dialect;
+  /** The control that the compensated program is written for. */
+  readonly target: Target;
+  /** Radius of every tool that `tools` does not list [mm]. */
   readonly radius: number;
-  readonly corner: "linear" | "arc";
+  /** Tools by their number. */
+  readonly tools: Readonly<Record<number, ToolSize>>;
+  readonly corner: "profile" | "linear" | "arc";
   readonly spline: "exact" | "type-points";
   /** How far the path may be from the true equidistant [mm]. */
   readonly tolerance: number;
@@ -48,8 +57,12 @@ export type Parameter = NumberParameter | ChoiceParameter;
 
 /** Where everything begins. */
 export const INITIAL_SETTINGS: Settings = {
+  profile: "g41",
+  dialect: "auto",
+  target: "grbl",
   radius: 3,
-  corner: "linear",
+  tools: {},
+  corner: "profile",
   spline: "exact",
   tolerance: 0.001,
   gouge: "report",
@@ -85,10 +98,11 @@ export const PARAMETERS: readonly Parameter[] = [
     key: "corner",
     label: "Outside corners",
     choices: [
+      { value: "profile", label: "Profile" },
       { value: "linear", label: "Linear" },
       { value: "arc", label: "Arc" },
     ],
-    hint: "What is inserted at an outside corner: straight moves or an arc",
+    hint: "What is inserted at an outside corner: what the profile inserts, straight moves, or an arc",
   },
   {
     kind: "choice",
@@ -146,11 +160,28 @@ export const PARAMETERS: readonly Parameter[] = [
   },
 ];
 
-/** The settings as `compensate` takes them. */
-export function compensationOptions({ passes, stepover, ...rest }: Settings) {
-  return rest.gouge === "avoid" && passes === "all"
-    ? { ...rest, passes: "all" as const, stepover }
-    : rest;
+/** The settings as `parseProgram` takes them. */
+export function parseOptions({ dialect, profile }: Settings): ParseOptions {
+  return { dialect, profile };
+}
+
+/** The settings as `compensate` takes them for a program. */
+export function compensationOptions(settings: Settings): ProgramOptions {
+  const { profile, radius, tools, corner, spline, tolerance, gouge, passes, stepover } = settings;
+  const options: ProgramOptions = { profile, radius, tools, spline, tolerance, gouge };
+  if (corner !== "profile") options.corner = corner;
+  return gouge === "avoid" && passes === "all" ? { ...options, passes, stepover } : options;
+}
+
+/** The signed radius of a tool by its number [mm]; `unit` tells that of the program there [mm]. */
+export function radiusOfTool(
+  settings: Settings,
+  tool: number | undefined,
+  unit: () => number,
+): number {
+  const size = tool === undefined ? undefined : settings.tools[tool];
+  if (!size) return settings.radius;
+  return "radius" in size ? size.radius : (size.diameter / 2) * unit();
 }
 
 /** A number within the range of its parameter; undefined for what is not a number. */

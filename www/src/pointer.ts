@@ -179,7 +179,8 @@ export function connectPointers(stage: Stage, store: Store, drag: Drag): void {
     const segment = found && contour?.segments[found.segment];
     const line = segment?.kind === "spline" ? segment.points[0]?.line : segment?.end.line;
     const selection = line === undefined ? undefined : pointAtLine(store.document.part, line);
-    store.set({ selection, caret: undefined, chosen: undefined });
+    const pointed = selection ? undefined : store.state.hover;
+    store.set({ selection, caret: undefined, chosen: undefined, pointed });
   }
 
   canvas.addEventListener("pointerup", finish);

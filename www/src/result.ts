@@ -1,7 +1,10 @@
 // What goes to the worker and what comes back: plain data, with geometry in typed arrays.
 
 import type { Diagnostic, Gouge, ProgrammedContour, Transition, Uncut } from "g41";
+import type { Axes, Strokes } from "./large/strokes";
+import type { LongText } from "./long-text";
 import type { Settings } from "./parameters";
+import type { Box } from "./view";
 
 /** Polylines in one piece of memory; see `Polylines` of the package. */
 export interface Lines {
@@ -13,20 +16,44 @@ export interface Lines {
   readonly owners: Uint32Array;
 }
 
+/** Letters from which on a program is very long: it is not edited, and drawn by what a view can tell. */
+export const VERY_LONG = 1_500_000;
+
 /** One request to the worker. */
 export interface Request {
   readonly id: number;
   readonly text: string;
+  /** The file of a very long program, which the worker reads by itself. */
+  readonly file: File | undefined;
   readonly settings: Settings;
+}
+
+/** What a very long program has instead of lists, which would be as long as it. */
+export interface Long {
+  readonly file: File;
+  readonly text: LongText;
+  /** The compensated program. */
+  readonly code: LongText;
+  readonly moves: number;
 }
 
 /** What a request gave. */
 export interface Result {
   readonly id: number;
-  /** The text that was compensated. */
+  /** The text that was compensated; that of a very long program is in `long`. */
   readonly text: string;
   readonly settings: Settings;
+  /** The axes of the plane that is shown. */
+  readonly axes: Axes;
+  /** The box around what is shown [mm]. */
+  readonly box: Box | undefined;
+  /** Numbers of the tools that contours call. */
+  readonly tools: readonly number[];
+  /** Of a very long program, whose contours, moves, transitions and findings are not listed. */
+  readonly long: Long | undefined;
   readonly contours: readonly ProgrammedContour[];
+  /** The signed tool radius on each contour [mm]. */
+  readonly radii: readonly number[];
   /** The programmed contours; owners count segments through all contours. */
   readonly programmed: Lines;
   /** The tool path; owners are moves. */
@@ -36,9 +63,11 @@ export interface Result {
   readonly stride: number;
   readonly transitions: readonly Transition[];
   readonly diagnostics: readonly Diagnostic[];
+  /** How many diagnostics there are, also those that are not listed. */
+  readonly counts: Readonly<Record<Diagnostic["severity"], number>>;
   readonly gouges: readonly Gouge[];
   readonly uncut: readonly Uncut[];
-  /** The tool path as a program for a controller. */
+  /** The tool path as a program for a controller; that of a very long one is in `long`. */
   readonly gcode: string;
   /** How long reading and compensating took [ms]. */
   readonly milliseconds: number;
@@ -46,7 +75,13 @@ export interface Result {
 
 /** What the worker answers. */
 export type Reply =
-  | { readonly kind: "result"; readonly result: Result }
+  | {
+      readonly kind: "result";
+      readonly result: Result;
+      /** What is drawn of a very long program. */
+      readonly strokes: readonly Strokes[];
+    }
+  | { readonly kind: "progress"; readonly id: number; readonly step: string; readonly part: number }
   | { readonly kind: "failure"; readonly id: number; readonly message: string };
 
 /** What a move is there for, as `records()` numbers it. */
@@ -59,10 +94,18 @@ export enum MoveRole {
 }
 
 /** Places of numbers in one record. */
-export const FIELD = { kind: 0, role: 1, block: 4, from: 9, to: 12 } as const;
+export const FIELD = { kind: 0, role: 1, plane: 2, block: 4, from: 9, to: 12 } as const;
 
 /** The kind of a rapid move in a record. */
 export const RAPID = 0;
+
+/** Whether a result is that of a document. */
+export function isResultOf(
+  result: Result | undefined,
+  { text, file }: { readonly text: string; readonly file: File | undefined },
+): boolean {
+  return result?.text === text && result.long?.file === file;
+}
 
 /** The role of a move. */
 export function roleOf(result: Result, move: number): MoveRole {
@@ -77,9 +120,9 @@ export function contourAt({ contours }: Result, line: number | undefined): numbe
   return Math.max(0, found);
 }
 
-/** The signed tool radius on a contour [mm]: what the program states, else the parameter. */
-export function radiusOn({ contours, settings }: Result, contour: number): number {
-  return contours[contour]?.radius ?? settings.radius;
+/** The signed tool radius on a contour [mm]. */
+export function radiusOn({ radii, settings }: Result, contour: number): number {
+  return radii[contour] ?? settings.radius;
 }
 
 /** Whether the tool runs to the left of a contour; a negative radius swaps the side. */

@@ -8,6 +8,7 @@ import { transitionPlace } from "./draw/transition";
 import { findingAt, findingsOf } from "./findings";
 import { distance, type Point } from "./geometry";
 import { indexOf, nearestCorner, nearestOn, nearestOnTrack } from "./hit";
+import type { PictureClient, TracedLine } from "./large/picture-client";
 import {
   type Handle,
   handles,
@@ -17,14 +18,16 @@ import {
   samePoint,
   segmentAtLine,
 } from "./part";
-import { contourAt, lineOf, lineOfMove, radiusOn } from "./result";
+import { contourAt, forRuns, isResultOf, lineOf, lineOfMove, radiusOn } from "./result";
 import type { State, Store } from "./state";
-import { boxOf, fitted, panned, type Size, toScreen, toWorld, type View, zoomed } from "./view";
+import { fitted, panned, type Size, toScreen, toWorld, type View, zoomed } from "./view";
 
 /** How near the pointer must be to the tool path for the tool to follow it [px]. */
 const TOOL_REACH = 70;
 /** How near the pointer must be to a corner to show its construction [px]. */
 const CORNER_REACH = 44;
+/** How near the pointer must be to a move for its line to be marked [px]. */
+const LINE_REACH = 9;
 /** How near the pointer must be to the mark of a gouge to show it [px]. */
 const FINDING_REACH = 14;
 /** Room around the part [px]. */
@@ -49,10 +52,15 @@ export class Stage {
   #touch = false;
   #onView: (view: View, pointer: Point | undefined) => void;
   #viewListeners: (() => void)[] = [];
+  #drawing: PictureClient;
+  #traced: TracedLine | undefined;
+  /** The line whose moves are to be brought into sight once they are found. */
+  #revealing: number | undefined;
 
   constructor(
     element: HTMLElement,
     store: Store,
+    drawing: PictureClient,
     onView: (view: View, pointer: Point | undefined) => void,
   ) {
     this.#base = element.querySelector<HTMLCanvasElement>("canvas.base") as HTMLCanvasElement;
@@ -61,6 +69,7 @@ export class Stage {
     this.overlay.setAttribute("role", "application");
     this.overlay.setAttribute("aria-roledescription", "drawing");
     this.#store = store;
+    this.#drawing = drawing;
     this.#onView = onView;
     new ResizeObserver(() => this.#resize()).observe(element);
     store.subscribe((state, before) => this.#changed(state, before));
@@ -91,8 +100,7 @@ export class Stage {
   /** Shows the whole part, as soon as it is known. */
   fit(): void {
     const { result } = this.#store.state;
-    const room = Math.min(50, Math.abs(this.#store.document.settings.radius));
-    const box = result && boxOf(room, result.programmed.points, result.path.points);
+    const box = result?.box;
     if (!box || this.#size.width < 2) {
       this.#fitWanted = true;
       return;
@@ -135,6 +143,39 @@ export class Stage {
     if (dx !== 0 || dy !== 0) this.pan(dx, dy);
   }
 
+  /** Brings the moves of a line of the text into sight. */
+  revealLine(line: number): void {
+    const { result } = this.#store.state;
+    if (!result) return;
+    if (result.long) {
+      this.#revealing = line;
+      this.#drawing.trace(line);
+      return;
+    }
+    const { points } = result.path;
+    let at: Point | undefined;
+    forRuns(result.path, (move, _, last) => {
+      if (!at && lineOfMove(result, move) === line) {
+        at = [points[2 * last] as number, points[2 * last + 1] as number];
+      }
+    });
+    if (at) this.reveal(at);
+  }
+
+  /** Takes the moves of a line that was asked for. */
+  showTraced(traced: TracedLine): void {
+    this.#traced = traced;
+    const [x, y] = traced.points.subarray(-2);
+    if (this.#revealing === traced.line && x !== undefined && y !== undefined) this.reveal([x, y]);
+    this.#revealing = undefined;
+    this.redraw();
+  }
+
+  /** Draws the static layer anew with the next frame. */
+  refresh(): void {
+    this.#redrawAll();
+  }
+
   /** Tells where the pointer is, and what it is over. */
   point(
     pointer: Point | undefined,
@@ -155,8 +196,21 @@ export class Stage {
     const world = pointer && toWorld(this.#view, pointer);
     const found = result && world && findingAt(result, world, FINDING_REACH / this.#view.scale);
     if (found?.key !== this.#store.state.finding) this.#store.set({ finding: found?.key });
+    this.#pointAtLine(world);
     this.#onView(this.#view, pointer);
     this.redraw();
+  }
+
+  #pointAtLine(at: Point | undefined): void {
+    const { result, hover } = this.#store.state;
+    const reach = LINE_REACH / this.#view.scale;
+    if (at && result?.long) {
+      this.#drawing.seek(at, reach);
+      return;
+    }
+    const near = at && result && nearestOn(result.path, at, reach);
+    const line = near && result ? lineOfMove(result, near.owner) : undefined;
+    if (line !== hover) this.#store.set({ hover: line });
   }
 
   /** The points that can be moved now. */
@@ -187,9 +241,14 @@ export class Stage {
 
   #changed(state: State, before: State): void {
     if (state.live !== before.live) this.#baseStale = true;
+    const line = lineShown(state);
+    if (state.result?.long && line !== this.#traced?.line) {
+      if (line !== undefined) this.#drawing.trace(line);
+      else this.#traced = undefined;
+    }
     if (state.result !== before.result) {
       this.#baseStale = true;
-      if (this.#fitWanted && state.result && state.result.text === this.#store.document.text) {
+      if (this.#fitWanted && isResultOf(state.result, this.#store.document)) {
         this.fit();
       }
     }
@@ -231,7 +290,7 @@ export class Stage {
     const common = { view: this.#view, size: this.#size, palette: this.#palette, result };
     if (this.#baseStale) {
       this.#baseStale = false;
-      drawBase(context(this.#base), { ...common, live });
+      drawBase(context(this.#base), { ...common, live, drawing: this.#drawing });
     }
     drawOverlay(context(this.overlay), {
       ...common,
@@ -243,6 +302,7 @@ export class Stage {
       corner: this.#store.state.corner,
       tool: this.#toolPlace(),
       ...this.#highlight(),
+      traced: this.#traced?.points,
       chosen: this.#store.state.chosen,
       finding: result && findingsOf(result).find(({ key }) => key === this.#store.state.finding),
     });
@@ -272,7 +332,7 @@ export class Stage {
 
   #highlight(): { segment: number | undefined; lines: readonly number[] } {
     const { part } = this.#store.document;
-    const { selection, caret, result } = this.#store.state;
+    const { selection, caret, result, hover, pointed } = this.#store.state;
     // A segment of very many spans would take longer to highlight than to draw.
     if (result && isLarge(result)) return { segment: undefined, lines: [] };
     const own = (contour: number, segment: number) => ({
@@ -287,8 +347,14 @@ export class Stage {
     if (selection && selection.segment >= 0 && locate(part, selection)) {
       return own(selection.contour, selection.segment);
     }
-    return { segment: undefined, lines: [] };
+    const line = hover ?? pointed;
+    return { segment: undefined, lines: line === undefined ? [] : [line] };
   }
+}
+
+/** The line whose moves are highlighted in a very long program. */
+function lineShown({ caret, hover, pointed }: State): number | undefined {
+  return hover ?? caret ?? pointed;
 }
 
 function context(canvas: HTMLCanvasElement): CanvasRenderingContext2D {

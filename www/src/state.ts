@@ -9,11 +9,25 @@ import type { Result } from "./result";
 
 /** What is edited, undone and redone. */
 export interface Document {
+  /** The name of the file that it was read from; empty where it was none. */
+  readonly name: string;
+  /** Empty for a very long program, which is where its file is. */
   readonly text: string;
+  readonly file: File | undefined;
   /** The part that `partText` programs; behind `text` until the worker has read it. */
   readonly part: Part;
   readonly partText: string;
   readonly settings: Settings;
+}
+
+/** Long work under way. */
+export interface Work {
+  /** What it is about. */
+  readonly name: string;
+  /** What is being done. */
+  readonly step: string;
+  /** How much is done, from 0 to 1. */
+  readonly part: number;
 }
 
 /** Everything that the page shows. */
@@ -27,6 +41,14 @@ export interface State {
   readonly corner: number | undefined;
   /** The line of the text that the caret is in, while the text has the focus. */
   readonly caret: number | undefined;
+  /** The line of the move below the pointer. */
+  readonly hover: number | undefined;
+  /** The line of the move that was pointed at last. */
+  readonly pointed: number | undefined;
+  /** Work that takes long enough to be watched. */
+  readonly work: Work | undefined;
+  /** What became of the last file, if that must be told. */
+  readonly notice: string | undefined;
   /** The key of the diagnostic that was chosen in the list. */
   readonly chosen: string | undefined;
   /** The key of the gouge or the uncut region that is looked at. */
@@ -56,6 +78,10 @@ export class Store {
       selection: undefined,
       corner: undefined,
       caret: undefined,
+      hover: undefined,
+      pointed: undefined,
+      work: undefined,
+      notice: undefined,
       chosen: undefined,
       finding: undefined,
       probe: undefined,

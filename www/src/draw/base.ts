@@ -1,12 +1,13 @@
 // The static layer: grid, material, swept area, contour and tool path.
 
+import type { PictureClient } from "../large/picture-client";
 import type { LivePicture } from "../live/picture";
 import { isLeft, type Result, radiusOn } from "../result";
 import type { Size, View } from "../view";
 import { toScreen } from "../view";
 import { type Context, inMillimetres, mark, strokeLine } from "./canvas";
 import { drawFindings } from "./findings";
-import { drawGrid, drawScale } from "./grid";
+import { drawAxisNames, drawGrid, drawScale } from "./grid";
 import type { Palette } from "./palette";
 import { type ClosedShape, type Shapes, shapesOf } from "./shapes";
 import { isFollowed, transitionLine, transitionPlace } from "./transition";
@@ -22,12 +23,19 @@ export interface BaseScene {
   readonly result: Result | undefined;
   /** The contour that is dragged, where the result is behind it. */
   readonly live: LivePicture | undefined;
+  /** Draws a very long program. */
+  readonly drawing: PictureClient;
 }
 
 /** Draws the static layer. */
-export function drawBase(context: Context, { view, size, palette, result, live }: BaseScene): void {
+export function drawBase(
+  context: Context,
+  { view, size, palette, result, live, drawing }: BaseScene,
+): void {
   drawGrid(context, view, size, palette);
-  if (result) {
+  if (result?.long) {
+    drawing.draw(context, view, size, palette.strokes);
+  } else if (result) {
     const shapes = shapesOf(result, { view, size, live });
     inMillimetres(context, view, (px) => {
       drawMaterial(context, shapes, result, palette, px);
@@ -44,6 +52,8 @@ export function drawBase(context: Context, { view, size, palette, result, live }
     drawTransitions(context, view, result, palette);
   }
   drawScale(context, view, size, palette);
+  const [right, up] = result?.axes ?? [0, 1];
+  if (right !== 0 || up !== 1) drawAxisNames(context, size, palette, [right, up]);
 }
 
 /** Fills what should stay, and over it what the tool sweeps: red where it cuts what should stay. */
@@ -56,10 +66,11 @@ function drawMaterial(
 ): void {
   const material = new Path2D();
   // Pockets without an outline around them are cut into a plate without end.
-  if (!shapes.closed.some((closed) => liesInside(closed, result)) && shapes.closed.length > 0) {
-    material.rect(-FAR, -FAR, 2 * FAR, 2 * FAR);
-  }
-  for (const { path } of shapes.closed) material.addPath(path);
+  const isPlate = !shapes.closed.some((closed) => liesInside(closed, result));
+  // Beside open contours nobody knows where the plate ends.
+  const isKnown = shapes.closed.length > 0 && !(isPlate && shapes.closed.length < countOf(result));
+  if (isPlate && isKnown) material.rect(-FAR, -FAR, 2 * FAR, 2 * FAR);
+  if (isKnown) for (const { path } of shapes.closed) material.addPath(path);
   context.fillStyle = palette.material;
   context.fill(material, "evenodd");
   context.lineJoin = "round";
@@ -71,7 +82,7 @@ function drawMaterial(
     context.lineWidth = width;
     context.stroke(cut);
     // A pixel and a half less than the tool, or every edge that is cut right would show red.
-    if (shapes.closed.length === 0 || width < 6 * px) return;
+    if (!isKnown || width < 6 * px) return;
     context.save();
     context.clip(material, "evenodd");
     context.strokeStyle = palette.gouged;
@@ -81,6 +92,11 @@ function drawMaterial(
   });
 }
 
+/** The number of contours that there is anything of. */
+function countOf({ contours }: Result): number {
+  return contours.filter(({ segments }) => segments.length > 0).length;
+}
+
 /** Whether the workpiece is what a closed contour encloses. */
 function liesInside({ area, contour }: ClosedShape, result: Result): boolean {
   return isLeft(result, contour) ? area < 0 : area > 0;
@@ -88,9 +104,13 @@ function liesInside({ area, contour }: ClosedShape, result: Result): boolean {
 
 function drawPath(context: Context, shapes: Shapes, palette: Palette, px: number): void {
   context.lineWidth = px;
-  context.strokeStyle = palette.free;
+  context.strokeStyle = palette.rapid;
   context.setLineDash([2 * px, 4 * px]);
   context.stroke(shapes.rapids);
+  context.setLineDash([]);
+  context.lineWidth = 1.25 * px;
+  context.strokeStyle = palette.free;
+  context.stroke(shapes.free);
   context.lineWidth = 1.5 * px;
   context.strokeStyle = palette.path;
   context.setLineDash([6 * px, 4 * px]);

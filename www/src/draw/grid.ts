@@ -1,5 +1,7 @@
 // The grid, whose step follows the zoom, with its scale along the edges.
 
+import type { Point } from "../geometry";
+import type { Axes } from "../large/strokes";
 import { gridStep, type Size, toWorld, type View } from "../view";
 import { type Context, label } from "./canvas";
 import type { Palette } from "./palette";
@@ -35,6 +37,22 @@ export function drawScale(context: Context, view: View, size: Size, palette: Pal
     if (y < 12 || y > size.height - 24) continue;
     label(context, (i * step).toFixed(digits), [7, y], palette.label, palette.paper);
   }
+}
+
+/** Names the axes of a plane that is not that of x and y. */
+export function drawAxisNames(
+  context: Context,
+  size: Size,
+  palette: Palette,
+  [right, up]: Axes,
+): void {
+  const names = "XYZ";
+  context.textBaseline = "alphabetic";
+  context.textAlign = "right";
+  const below: Point = [size.width - 8, size.height - 7];
+  label(context, `${names[right]} →`, below, palette.label, palette.paper);
+  context.textAlign = "left";
+  label(context, `↑ ${names[up]}`, [7, 16], palette.label, palette.paper);
 }
 
 function lines(context: Context, view: View, size: Size, step: number, color: string): void {

@@ -39,6 +39,8 @@ export interface OverlayScene {
   readonly segment: number | undefined;
   /** Lines of the text whose moves are highlighted. */
   readonly lines: readonly number[];
+  /** The moves of a line of a very long program: x0, y0, x1, y1, …; NaN between two pieces. */
+  readonly traced: Float64Array | undefined;
   /** The key of the diagnostic that was chosen in the list. */
   readonly chosen: string | undefined;
   /** The gouge or uncut region that is looked at. */
@@ -62,7 +64,11 @@ export function drawOverlay(context: Context, scene: OverlayScene): void {
 }
 
 function drawHighlight(context: Context, scene: OverlayScene, result: Result): void {
-  const { view, palette, segment, lines } = scene;
+  const { view, palette, segment, lines, traced } = scene;
+  if (result.long) {
+    if (traced) drawTraced(context, view, palette, traced);
+    return;
+  }
   if (segment === undefined && lines.length === 0) return;
   const programmed = new Path2D();
   forRuns(result.programmed, (owner, first, last) => {
@@ -83,6 +89,27 @@ function drawHighlight(context: Context, scene: OverlayScene, result: Result): v
     context.lineWidth = 3.5 * px;
     context.stroke(programmed);
   });
+  context.lineCap = "butt";
+}
+
+function drawTraced(context: Context, view: View, palette: Palette, points: Float64Array): void {
+  context.beginPath();
+  let down = false;
+  for (let i = 0; i < points.length; i += 2) {
+    const at: Point = [points[i] as number, points[i + 1] as number];
+    const [x, y] = toScreen(view, at);
+    if (down) context.lineTo(x, y);
+    else context.moveTo(x, y);
+    down = !Number.isNaN(at[0]);
+  }
+  context.lineCap = "round";
+  context.strokeStyle = palette.accent;
+  context.globalAlpha = 0.28;
+  context.lineWidth = 10;
+  context.stroke();
+  context.globalAlpha = 1;
+  context.lineWidth = 3.5;
+  context.stroke();
   context.lineCap = "butt";
 }
 

@@ -1,6 +1,7 @@
 // The colours of the picture, in a light and a dark scheme; kinds differ by shape and dash as well.
 
 import type { Transition } from "g41";
+import type { StrokeKind } from "../large/strokes";
 
 /** How one kind of transition is drawn. */
 export interface KindStyle {
@@ -24,6 +25,8 @@ export interface Palette {
   readonly uncut: string;
   readonly uncutFill: string;
   readonly path: string;
+  /** Rapid moves, and moves that cut without being compensated. */
+  readonly rapid: string;
   readonly free: string;
   readonly tool: string;
   readonly toolFill: string;
@@ -34,6 +37,8 @@ export interface Palette {
   readonly error: string;
   readonly warning: string;
   readonly kinds: Readonly<Record<Transition["kind"], KindStyle>>;
+  /** Lines of very long programs. */
+  readonly strokes: Readonly<Record<StrokeKind, string>>;
 }
 
 /** The scheme of paper. */
@@ -50,7 +55,8 @@ export const LIGHT: Palette = {
   uncut: "#8a6100",
   uncutFill: "rgba(214, 158, 20, 0.16)",
   path: "#00786c",
-  free: "#7f8a83",
+  rapid: "#7f8a83",
+  free: "#47587c",
   tool: "#00594f",
   toolFill: "rgba(0, 128, 115, 0.14)",
   ink: "#1b2430",
@@ -63,6 +69,13 @@ export const LIGHT: Palette = {
     shortened: { color: "#1f6fd0", dash: [], shape: "square" },
     elongated: { color: "#c76a00", dash: [9, 4], shape: "diamond" },
     inserted: { color: "#b0278f", dash: [3, 3], shape: "triangle" },
+  },
+  strokes: {
+    rapid: "#9aa39d",
+    free: "#47587c",
+    contour: "#1b2430",
+    lead: "#00786c",
+    cut: "#00786c",
   },
 };
 
@@ -80,7 +93,8 @@ export const DARK: Palette = {
   uncut: "#e0b656",
   uncutFill: "rgba(224, 182, 86, 0.14)",
   path: "#45d4be",
-  free: "#788490",
+  rapid: "#788490",
+  free: "#a9bbdf",
   tool: "#8debdc",
   toolFill: "rgba(64, 214, 190, 0.15)",
   ink: "#eef2f6",
@@ -93,5 +107,12 @@ export const DARK: Palette = {
     shortened: { color: "#6cb2ff", dash: [], shape: "square" },
     elongated: { color: "#ffae42", dash: [9, 4], shape: "diamond" },
     inserted: { color: "#f28bd8", dash: [3, 3], shape: "triangle" },
+  },
+  strokes: {
+    rapid: "#5c6772",
+    free: "#a9bbdf",
+    contour: "#eef2f6",
+    lead: "#45d4be",
+    cut: "#45d4be",
   },
 };

@@ -31,8 +31,10 @@ export interface Shapes {
   readonly closed: readonly ClosedShape[];
   /** The tool path where it is compensated, one for each contour. */
   readonly cuts: readonly Path2D[];
-  /** Lead-ins, lead-outs and moves that are not compensated. */
+  /** Lead-ins and lead-outs. */
   readonly leads: Path2D;
+  /** Moves that cut without being compensated. */
+  readonly free: Path2D;
   readonly rapids: Path2D;
 }
 
@@ -155,24 +157,28 @@ function pathShapes(
   result: Result,
   window: Window,
   without: number | undefined,
-): Pick<Shapes, "cuts" | "leads"> {
+): Pick<Shapes, "cuts" | "leads" | "free"> {
   const cuts = result.contours.map(() => new Path2D());
   const leads = new Path2D();
+  const free = new Path2D();
   const track = trackOf(result.path.points);
   for (const { contour, first, last } of cutRuns(result)) {
-    const path = contour < 0 ? leads : cuts[contour];
+    const path = contour === FREE ? free : contour === LEAD ? leads : cuts[contour];
     if (path && contour !== without) track.trace(path, first, last, window);
   }
-  return { cuts, leads };
+  return { cuts, leads, free };
 }
 
 /** Vertices of the path that are drawn in one stroke. */
 interface CutRun {
-  /** Index of the contour; −1 for what is not compensated. */
+  /** Index of the contour, or what it is instead of a part of one. */
   readonly contour: number;
   readonly first: number;
   readonly last: number;
 }
+
+const LEAD = -1;
+const FREE = -2;
 
 const runs = new WeakMap<Result, readonly CutRun[]>();
 
@@ -185,10 +191,11 @@ function cutRuns(result: Result): readonly CutRun[] {
     const role = roleOf(result, move);
     const own = lineOfMove(result, move);
     if (own !== line) [line, at] = [own, contourAt(result, own)];
-    const contour = role === MoveRole.Segment || role === MoveRole.Transition ? at : -1;
+    const cuts = role === MoveRole.Segment || role === MoveRole.Transition;
+    const contour = cuts ? at : role === MoveRole.Free ? FREE : LEAD;
     const end = list.at(-1);
     // A run that goes on where the one before it ended is joined to it, for the sake of line joins.
-    if (contour >= 0 && end?.contour === contour && end.last === first) {
+    if (contour !== LEAD && end?.contour === contour && end.last === first) {
       list[list.length - 1] = { ...end, last };
     } else {
       list.push({ contour, first, last });
@@ -198,15 +205,15 @@ function cutRuns(result: Result): readonly CutRun[] {
   return list;
 }
 
-function rapidShape({ records, stride }: Result): Path2D {
+function rapidShape({ records, stride, axes: [right, up] }: Result): Path2D {
   const rapids = new Path2D();
   // The first rapid is left out: it comes from where the tool stood before, which nobody knows.
   const first = records[FIELD.kind] === RAPID ? stride : 0;
   for (let at = first; at + stride <= records.length; at += stride) {
     if (records[at + FIELD.kind] !== RAPID) continue;
     const [from, to] = [at + FIELD.from, at + FIELD.to];
-    rapids.moveTo(records[from] as number, records[from + 1] as number);
-    rapids.lineTo(records[to] as number, records[to + 1] as number);
+    rapids.moveTo(records[from + right] as number, records[from + up] as number);
+    rapids.lineTo(records[to + right] as number, records[to + up] as number);
   }
   return rapids;
 }

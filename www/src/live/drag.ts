@@ -8,7 +8,7 @@ import { move, rounded } from "../actions";
 import { movePoint } from "../edits";
 import type { Point } from "../geometry";
 import type { Contour, Part, PointRef } from "../part";
-import type { Result } from "../result";
+import { type Result, radiusOn } from "../result";
 import type { Store } from "../state";
 import { editsBetween, isInner, type LiveClient } from "./live-client";
 
@@ -46,7 +46,8 @@ export class Drag {
     // The worker may know a text already that the part is behind of, or the other way round.
     if (!result || !programmed || !contour?.editable || result.text !== document.partText) return;
     this.#held = contour;
-    this.#client.grab(ref.contour, programmed, document.settings);
+    const radius = radiusOn(result, ref.contour);
+    this.#client.grab(ref.contour, programmed, document.settings, radius);
   }
 
   /** Moves the point that is held; the steps of one gesture are undone together. */

@@ -27,7 +27,7 @@ export class LiveClient {
   }
 
   /** Takes hold of a contour, unless it is the one that is held. */
-  grab(index: number, contour: ProgrammedContour, settings: Settings): void {
+  grab(index: number, contour: ProgrammedContour, settings: Settings, radius: number): void {
     if (this.#held?.contour === contour && this.#held.settings === settings) return;
     this.#held = { contour, settings };
     this.#picture = undefined;
@@ -37,7 +37,7 @@ export class LiveClient {
     const ref: PointRef = { contour: index, role: "start", segment: -1, index: 0 };
     this.#now = { contour: index, ref, at: contour.start, leads };
     this.#id += 1;
-    this.#send({ kind: "grab", id: this.#id, contour: packed(contour), settings });
+    this.#send({ kind: "grab", id: this.#id, contour: packed(contour), settings, radius });
   }
 
   /** Takes a contour for the one that is held, as the program now says it. */

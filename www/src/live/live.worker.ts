@@ -1,6 +1,6 @@
 // The live worker: edits one contour and sends back what has changed of its tool path.
 
-import init, { LiveContour } from "g41";
+import init, { LiveContour, type LiveOptions } from "g41";
 import type { Changed, Grab, Patch, Step } from "./protocol";
 
 /** How far polylines on the screen may be from their curves [mm]. */
@@ -32,7 +32,7 @@ self.addEventListener("message", async ({ data }: MessageEvent<Grab | Step>) => 
   self.postMessage(changed, { transfer: buffers.map((array) => array.buffer as ArrayBuffer) });
 });
 
-function grab({ contour, settings }: Grab): void {
+function grab({ contour, settings, radius }: Grab): void {
   live?.[Symbol.dispose]();
   live = undefined;
   const points = contour.segments.reduce(
@@ -41,14 +41,14 @@ function grab({ contour, settings }: Grab): void {
   );
   const many = points > MANY;
   const chordTolerance = many ? COARSE_TOLERANCE : DRAWING_TOLERANCE;
-  const { corner, spline, tolerance } = settings;
-  const radius = contour.radius ?? settings.radius;
+  const { corner, profile, spline, tolerance, gouge } = settings;
   // What depends on the whole contour would be computed at every step.
   const local = {
     gouge: settings.gouge === "avoid" ? "avoid" : "report",
     spline: "exact",
   } as const;
-  const options = { radius, corner, spline, tolerance, gouge: settings.gouge, chordTolerance };
+  const options: LiveOptions = { profile, radius, spline, tolerance, gouge, chordTolerance };
+  if (corner !== "profile") options.corner = corner;
   live = new LiveContour(contour, many ? { ...options, ...local } : options);
 }
 

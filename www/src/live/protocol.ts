@@ -19,6 +19,8 @@ export interface Grab {
   readonly id: number;
   readonly contour: Contour;
   readonly settings: Settings;
+  /** The signed tool radius [mm]. */
+  readonly radius: number;
 }
 
 /** Edits the contour that was taken hold of. */

@@ -1,24 +1,122 @@
 // The two programs: the part as it is programmed, to be edited, and the compensated one.
 
+import type { Diagnostic } from "g41";
 import { setText } from "../actions";
+import { save, savedName, stem } from "../files";
 import { lineOfPoint } from "../part";
-import { lineOf } from "../result";
+import { keyOf, lineOf, type Result } from "../result";
+import type { Stage } from "../stage";
 import type { Store } from "../state";
-import { Editor } from "./editor";
+import type { Editor, LineMarks, LineRemark } from "./editor";
 import { element, find } from "./elements";
+import { ProgramView } from "./program-view";
 
 /** Typing that pauses for this long is undone as one step [ms]. */
 const TYPING_PAUSE = 900;
 
 /** Fills both tabs and keeps them true to the state; returns what shows a line of the program. */
-export function codePanel(store: Store): (line: number) => void {
-  const program = new Editor("Program of the part", false);
-  const output = new Editor("Compensated program", true);
-  find("panel-program").append(program.root);
-  find("panel-output").append(output.root);
+export function codePanel(store: Store, stage: Stage): (line: number) => void {
+  const program = new ProgramView(
+    "Program of the part",
+    "program",
+    false,
+    (line) => {
+      store.set({ caret: line, selection: undefined, chosen: keyAt(store, line) });
+      stage.revealLine(line);
+    },
+    (line) => {
+      store.set({ pointed: line, caret: undefined, selection: undefined });
+      const diagnostic = diagnosticAt(store, line);
+      store.set({ chosen: diagnostic && keyOf(diagnostic) });
+      if (diagnostic?.at) stage.reveal(diagnostic.at);
+      else stage.revealLine(line);
+    },
+  );
+  let outputLine: number | undefined;
+  const output = new ProgramView(
+    "Compensated program",
+    "output",
+    true,
+    (line) => {
+      outputLine = line;
+      output.mark({ ...NO_MARKS, current: line });
+    },
+    () => {},
+  );
+  find("panel-program").append(...program.roots);
+  find("panel-output").append(...output.roots);
   const choose = tabs(["program", "output"]);
   actions(store, () => (find("panel-output").hidden ? program : output).text);
+  connectEditor(program.editor, store);
 
+  const mark = () => {
+    const { selection, caret, hover, pointed, result } = store.state;
+    const selected = selection && lineOfPoint(store.document.part, selection);
+    const current = caret ?? selected ?? pointed;
+    program.mark({ current, hovered: hover, diagnosed: remarksOf(result) });
+    return caret === undefined ? current : undefined;
+  };
+  store.subscribe((state, before) => {
+    const { selection, caret, hover, pointed, result, history } = before;
+    const { long } = state.result ?? {};
+    if (state.history !== history || state.result !== result) {
+      const { text, file } = store.document;
+      if (!file) program.show(text);
+      else if (long?.file === file) program.show(long.text);
+    }
+    if (state.result !== result) {
+      output.show(long?.code ?? state.result?.gcode ?? "");
+      output.mark({ ...NO_MARKS, current: outputLine });
+    }
+    const isMoved =
+      state.selection !== selection || state.caret !== caret || state.pointed !== pointed;
+    if (isMoved || state.hover !== hover || state.result !== result || state.history !== history) {
+      const current = mark();
+      if (current !== undefined && (isMoved || state.history !== history)) program.reveal(current);
+    }
+  });
+  program.show(store.document.text);
+  return (line) => {
+    choose("program");
+    program.reveal(line);
+  };
+}
+
+const NO_MARKS: LineMarks = { current: undefined, hovered: undefined, diagnosed: new Map() };
+
+const known = new WeakMap<Result, ReadonlyMap<number, LineRemark>>();
+
+/** The gravest diagnostic of each line. */
+function remarksOf(result: Result | undefined): ReadonlyMap<number, LineRemark> {
+  if (!result) return NO_MARKS.diagnosed;
+  const before = known.get(result);
+  if (before) return before;
+  const remarks = new Map<number, LineRemark>();
+  const ranks = ["info", "warning", "error"];
+  for (const diagnostic of result.diagnostics) {
+    const { severity, message } = diagnostic;
+    const line = lineOf(diagnostic);
+    const other = line === undefined ? undefined : remarks.get(line);
+    if (line === undefined) continue;
+    if (!other || ranks.indexOf(severity) > ranks.indexOf(other.severity)) {
+      remarks.set(line, { severity, message });
+    }
+  }
+  known.set(result, remarks);
+  return remarks;
+}
+
+function diagnosticAt({ state }: Store, line: number): Diagnostic | undefined {
+  return state.result?.diagnostics.find((diagnostic) => lineOf(diagnostic) === line);
+}
+
+function keyAt(store: Store, line: number): string | undefined {
+  const diagnostic = diagnosticAt(store, line);
+  return diagnostic && keyOf(diagnostic);
+}
+
+/** Lets the program be edited as text. */
+function connectEditor(program: Editor, store: Store): void {
   let typing = 0;
   let lastTyped = 0;
   program.area.addEventListener("input", () => {
@@ -46,37 +144,6 @@ export function codePanel(store: Store): (line: number) => void {
     store.settle();
     store.set({ caret: undefined });
   });
-
-  const mark = () => {
-    const { selection, caret: line, result } = store.state;
-    const current = line ?? (selection && lineOfPoint(store.document.part, selection));
-    const diagnosed = new Map<number, string>();
-    for (const diagnostic of result?.diagnostics ?? []) {
-      const at = lineOf(diagnostic);
-      if (at !== undefined && diagnosed.get(at) !== "error") diagnosed.set(at, diagnostic.severity);
-    }
-    program.mark({ current, diagnosed });
-    if (current !== undefined && line === undefined) program.reveal(current);
-  };
-  store.subscribe((state, before) => {
-    if (state.history !== before.history) program.show(store.document.text);
-    if (state.result !== before.result) output.show(state.result?.gcode ?? "");
-    const { selection, caret: line, result, history } = before;
-    if (
-      state.selection !== selection ||
-      state.caret !== line ||
-      state.result !== result ||
-      state.history !== history
-    ) {
-      mark();
-    }
-  });
-  program.show(store.document.text);
-  return (line) => {
-    choose("program");
-    program.reveal(line);
-    program.mark({ current: line, diagnosed: new Map() });
-  };
 }
 
 /** Tabs as the keyboard expects them: arrows choose, one tab stop. */
@@ -104,10 +171,12 @@ function tabs(names: readonly string[]): (name: string) => void {
 }
 
 /** Copy and download for the tab that is shown. */
-function actions(store: Store, shown: () => string): void {
+function actions(store: Store, shown: () => ProgramView["text"]): void {
   const copy = element("button", { type: "button" }, "Copy");
   copy.addEventListener("click", async () => {
-    const said = await navigator.clipboard.writeText(shown()).then(
+    const text = shown();
+    const letters = typeof text === "string" ? text : new TextDecoder().decode(text);
+    const said = await navigator.clipboard.writeText(letters).then(
       () => "Copied",
       () => "Not allowed",
     );
@@ -119,21 +188,8 @@ function actions(store: Store, shown: () => string): void {
   const download = element("button", { type: "button" }, "Download");
   download.addEventListener("click", () => {
     const compensated = !find("panel-output").hidden;
-    const address = URL.createObjectURL(new Blob([shown()], { type: "text/plain" }));
-    element("a", { href: address, download: compensated ? "compensated.nc" : "part.nc" }).click();
-    setTimeout(() => URL.revokeObjectURL(address), 1000);
+    const { document } = store;
+    save(compensated ? savedName(document) : `${stem(document.name)}.nc`, shown());
   });
-  const open = element("input", {
-    type: "file",
-    accept: ".nc,.ngc,.tap,.gcode,.txt,.cnc",
-    hidden: true,
-  });
-  open.addEventListener("change", async () => {
-    const file = open.files?.[0];
-    if (file) setText(store, await file.text());
-    open.value = "";
-  });
-  const opener = element("button", { type: "button" }, "Open");
-  opener.addEventListener("click", () => open.click());
-  find("code-actions").append(opener, copy, download, open);
+  find("code-actions").append(copy, download);
 }

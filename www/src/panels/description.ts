@@ -24,7 +24,7 @@ export function description(region: HTMLElement, store: Store): void {
 export function describe({ result, selection, history, failure }: State): string {
   if (failure) return failure;
   if (!result) return "Loading.";
-  const { part, settings } = history.present;
+  const { name, part, settings } = history.present;
   const sentences = part.contours.map(({ segments, side }, i) => {
     const name = part.contours.length > 1 ? `Contour ${i + 1}` : "The contour";
     const kinds = (["line", "arc", "spline"] as const).flatMap((kind) => {
@@ -34,6 +34,14 @@ export function describe({ result, selection, history, failure }: State): string
     return `${name} has ${kinds.join(", ")}; the tool runs on its ${side}.`;
   });
   sentences.push(`Tool radius ${format(settings.radius)} mm.`);
+  if (result.long) {
+    const { text, moves } = result.long;
+    const { error, warning } = result.counts;
+    sentences.unshift(
+      `${name} has ${text.starts.length} lines and gives ${moves} moves, with ${error} errors and ${warning} warnings.`,
+    );
+    return sentences.join(" ");
+  }
   const count = (kind: string) => result.transitions.filter((each) => each.kind === kind).length;
   sentences.push(
     `Transitions: ${count("shortened")} shortened, ${count("elongated")} elongated, ${count("inserted")} inserted.`,

@@ -60,7 +60,7 @@ export function deviationPanel(
   let opening = false;
 
   const ask = () => {
-    if (section.hidden) return;
+    if (section.hidden || store.document.file) return;
     wanted = true;
     if (underWay) return;
     worker ??= start();
@@ -109,6 +109,8 @@ export function deviationPanel(
   });
   new ResizeObserver(draw).observe(section);
   store.subscribe((state, before) => {
+    // Of a very long program it would take as long as everything else.
+    button.disabled = state.history.present.file !== undefined;
     const { text, settings } = state.history.present;
     const old = before.history.present;
     if (text === old.text && settings === old.settings) return;

@@ -44,9 +44,10 @@ export function diagnosticsPanel(
   section.append(summary, list);
 
   const choose = ({ key, at, line }: Row) => {
-    store.set({ chosen: key, selection: undefined, caret: undefined });
-    if (at) stage.reveal(at);
+    store.set({ chosen: key, selection: undefined, caret: undefined, pointed: line });
     if (line !== undefined) showLine(line);
+    if (at) stage.reveal(at);
+    else if (line !== undefined) stage.revealLine(line);
   };
 
   const item = (row: Row) => {
@@ -141,10 +142,10 @@ function split(findings: readonly Finding[]): [Finding[], UncutPlace[]] {
 }
 
 function summarize(result: Result): string {
-  const { diagnostics } = result;
+  const { diagnostics, counts } = result;
   const [gouges, uncut] = split(findingsOf(result));
   const parts = (["error", "warning", "info"] as const).flatMap((severity) => {
-    const count = diagnostics.filter((diagnostic) => diagnostic.severity === severity).length;
+    const count = counts[severity];
     if (count === 0) return [];
     return `${count} ${MARKS[severity].toLowerCase()}${count === 1 ? "" : "s"}`;
   });

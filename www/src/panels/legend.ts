@@ -3,6 +3,7 @@
 import type { Transition } from "g41";
 import { isFollowed } from "../draw/transition";
 import { findingsOf } from "../findings";
+import { FIELD, MoveRole, RAPID, type Result } from "../result";
 import type { Store } from "../state";
 import { element } from "./elements";
 
@@ -10,6 +11,8 @@ import { element } from "./elements";
 const SWATCHES: readonly (readonly [name: string, kind: string, drawing: string])[] = [
   ["Contour", "contour", '<path d="M1 7h32" stroke-width="2.25"/>'],
   ["Tool path", "path", '<path d="M1 7h32" stroke-width="1.75"/>'],
+  ["Not compensated", "free", '<path d="M1 7h32" stroke-width="1.5"/>'],
+  ["Rapid", "rapid", '<path d="M1 7h32" stroke-width="1" stroke-dasharray="2 4"/>'],
   ["Lead-in, lead-out", "lead", '<path d="M1 7h32" stroke-width="1.5" stroke-dasharray="6 4"/>'],
   [
     "Shortened",
@@ -37,6 +40,9 @@ const SWATCHES: readonly (readonly [name: string, kind: string, drawing: string]
 /** What is shown only where there is some. */
 const WHERE_FOUND = ["gouge", "uncut"];
 
+/** What a very long program has too many of to be told apart. */
+const CORNERS = ["shortened", "elongated", "inserted"];
+
 /** Fills the legend and counts the transitions in it. */
 export function legend(list: HTMLElement, store: Store): void {
   const counts = new Map<string, HTMLElement>();
@@ -47,10 +53,14 @@ export function legend(list: HTMLElement, store: Store): void {
     const count = element("small");
     counts.set(kind, count);
     items.set(kind, item);
-    item.hidden = WHERE_FOUND.includes(kind);
+    item.hidden = WHERE_FOUND.includes(kind) || kind === "free" || kind === "rapid";
     item.append(element("span", {}, name), count);
     list.append(item);
   }
+  const show = (kind: string, isShown: boolean) => {
+    const item = items.get(kind);
+    if (item) item.hidden = !isShown;
+  };
   store.subscribe(({ result }, before) => {
     if (!result || result === before.result) return;
     for (const kind of ["shortened", "elongated", "inserted"] satisfies Transition["kind"][]) {
@@ -59,12 +69,28 @@ export function legend(list: HTMLElement, store: Store): void {
       const place = counts.get(kind);
       if (place) place.textContent = String(count);
     }
+    for (const kind of CORNERS) show(kind, !result.long);
+    show("free", result.long !== undefined || hasMoves(result, false));
+    show("rapid", result.long !== undefined || hasMoves(result, true));
     const findings = findingsOf(result);
     for (const kind of WHERE_FOUND) {
       const count = findings.filter((finding) => finding.kind === kind).length;
-      const [place, item] = [counts.get(kind), items.get(kind)];
+      const place = counts.get(kind);
       if (place) place.textContent = String(count);
-      if (item) item.hidden = count === 0;
+      show(kind, count > 0);
     }
   });
+}
+
+/** Whether a path has moves in the plane that are not compensated: rapid ones, or those that cut. */
+function hasMoves({ records, stride, axes }: Result, rapid: boolean): boolean {
+  // The first comes from where the tool stood before, which nobody knows.
+  for (let at = stride; at < records.length; at += stride) {
+    if (records[at + FIELD.role] !== MoveRole.Free) continue;
+    if ((records[at + FIELD.kind] === RAPID) !== rapid) continue;
+    for (const axis of axes) {
+      if (records[at + FIELD.from + axis] !== records[at + FIELD.to + axis]) return true;
+    }
+  }
+  return false;
 }

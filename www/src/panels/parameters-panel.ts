@@ -56,6 +56,8 @@ function choiceRow(row: HTMLElement, parameter: ChoiceParameter, store: Store): 
   return () => {
     const side = store.document.part.contours[0]?.side ?? store.state.result?.contours[0]?.side;
     choice.show(key === "side" ? side : store.document.settings[key]);
+    // Of a very long program the text is not edited.
+    if (key === "side") choice.root.disabled = store.document.file !== undefined;
   };
 }
 

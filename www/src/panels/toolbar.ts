@@ -50,11 +50,7 @@ export function toolbar(bar: HTMLElement, stage: Stage, store: Store): void {
   remove.addEventListener("click", () => deleteSelected(store));
   const point = element("div", { class: "point", role: "group", "aria-label": "Selected point" });
   point.append(name, x.root, y.root, kind.root, remove);
-  const hint = element(
-    "p",
-    { class: "hint" },
-    "Drag any point. Double-click a segment to add one.",
-  );
+  const hint = element("p", { class: "hint" });
 
   const undo = iconButton("Undo", ICONS.undo, "Ctrl+Z");
   const redo = iconButton("Redo", ICONS.redo, "Ctrl+Y");
@@ -78,6 +74,9 @@ export function toolbar(bar: HTMLElement, stage: Stage, store: Store): void {
     const { selection, history } = store.state;
     const { part } = store.document;
     const at = selection && locate(part, selection);
+    hint.textContent = store.document.file
+      ? "Click a move to find its line, or a line to find its moves."
+      : "Drag any point. Double-click a segment to add one.";
     hint.hidden = Boolean(at);
     point.hidden = !at;
     undo.disabled = history.past.length === 0;

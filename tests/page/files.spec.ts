@@ -1,0 +1,149 @@
+/// <reference types="node" />
+// A file is opened, read by the rules that are chosen, and saved for the target that is chosen.
+import { expect, test } from "@playwright/test";
+import { G41Page } from "./page";
+
+/** A square of 30 mm, left of which the tool runs, as a control without G41 must be told. */
+const SQUARE = `G21 G90 G17
+T1 M6
+G0 X-20 Y0 Z5
+G1 Z-2 F100
+G1 G41 D1 X0 F300
+Y30
+X30
+Y0
+X0
+G40 X-20
+G0 Z5
+M30
+`;
+
+/** Two of them, with a tool each. */
+const TWO_TOOLS = `G21 G90
+G0 X-20 Y0
+G1 G41 D1 X0 F300
+Y30
+G40 X-20
+G0 X-20 Y60
+G1 G41 D7 X0 F300
+Y90
+G40 X-20
+M30
+`;
+
+test("a dropped file is shown with its name, and saved by it and the target", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  await g41.drop({ name: "square.ngc", text: SQUARE });
+  await expect(g41.program).toHaveValue(SQUARE);
+  await expect(page.locator(".file-name")).toHaveText("square.ngc");
+  await g41.settled();
+  const radius = page.getByLabel("Tool radius in mm");
+  await radius.fill("4");
+  await radius.press("Enter");
+  await g41.settled();
+  const grbl = await g41.saved(page.getByRole("button", { name: "Save square.grbl.nc" }));
+  expect(grbl.name).toBe("square.grbl.nc");
+  expect(grbl.text).not.toMatch(/G4[012]/);
+  const lines = grbl.text.split("\n");
+  expect(lines).toContain("X-4 F300");
+  expect(lines).toContain("Y34");
+  expect(lines).toContain("X34");
+  await page.getByLabel("Write for").selectOption("fanuc-0m");
+  await g41.settled();
+  const fanuc = await g41.saved(page.getByRole("button", { name: "Save square.fanuc-0m.nc" }));
+  expect(fanuc.name).toBe("square.fanuc-0m.nc");
+  expect(fanuc.text).toMatch(/^%\n/);
+  expect(fanuc.text).not.toBe(grbl.text);
+  expect(g41.errors).toEqual([]);
+});
+
+test("a file is opened by the button, and that is one step of undo", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const before = await g41.program.inputValue();
+  const chooser = page.waitForEvent("filechooser");
+  await page.getByRole("button", { name: "Open", exact: true }).click();
+  const buffer = Buffer.from(SQUARE);
+  await (await chooser).setFiles({ name: "part.nc", mimeType: "text/plain", buffer });
+  await expect(g41.program).toHaveValue(SQUARE);
+  await page.locator("body").click({ position: { x: 5, y: 5 } });
+  await page.keyboard.press("Control+z");
+  await expect(g41.program).toHaveValue(before);
+});
+
+test("what is no text is refused with its name", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const before = await g41.program.inputValue();
+  await g41.drop({ name: "photo.nc", text: "PNG\0\0\0" });
+  await expect(page.locator(".notice")).toHaveText("photo.nc is not a text.");
+  expect(await g41.program.inputValue()).toBe(before);
+});
+
+test("each tool that the program calls may have its own radius", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  await expect(page.locator("#tools")).toBeHidden();
+  await g41.drop({ name: "two.nc", text: TWO_TOOLS });
+  const second = page.getByLabel("Radius of tool 7 in mm");
+  await expect(second).toBeVisible();
+  await expect(second).toHaveValue("");
+  await second.fill("2.5");
+  await second.press("Enter");
+  await g41.settled();
+  const radius = await page.getByLabel("Tool radius in mm").inputValue();
+  await expect(g41.output).toHaveValue(new RegExp(`X-${radius}\\b`));
+  await expect(g41.output).toHaveValue(/X-2\.5\b/);
+  await page.locator("body").click({ position: { x: 5, y: 5 } });
+  await page.keyboard.press("Control+z");
+  await expect(second).toHaveValue("");
+});
+
+test("a tool table gives diameters, and tells what it cannot read", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  await g41.drop(
+    { name: "mill.tbl", text: "T1 P1 D6 ;end mill\nnonsense\nT7 P2 D3\n" },
+    { name: "two.nc", text: TWO_TOOLS },
+  );
+  await expect(page.getByLabel("Diameter of tool 7 in the unit of the program")).toHaveValue("3");
+  await g41.settled();
+  await expect(g41.output).toHaveValue(/X-3\b/);
+  await expect(g41.output).toHaveValue(/X-1\.5\b/);
+  await g41.drop({ name: "mill.tbl", text: "T1 P1 D6 ;end mill\nnonsense\nT7 P2 D3\n" });
+  await expect(page.locator(".notice")).toContainText("mill.tbl: 2 tools read. Line 2:");
+  // Inches, where the program counts in them.
+  await g41.drop({ name: "inch.nc", text: TWO_TOOLS.replace("G21", "G20") });
+  await g41.settled();
+  await expect(g41.output).toHaveValue(/X-76\.2\b/);
+  expect(g41.errors).toEqual([]);
+});
+
+test("the profile decides what is inserted at corners, unless that is chosen", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  await g41.drop({ name: "square.nc", text: SQUARE });
+  await g41.settled();
+  await expect(g41.output).not.toHaveValue(/^G2 /m);
+  await page.getByRole("combobox", { name: "Profile" }).selectOption("linuxcnc");
+  await g41.settled();
+  await expect(g41.output).toHaveValue(/^G2 /m);
+  const corners = page.getByRole("group", { name: "Outside corners" });
+  await corners.getByRole("radio", { name: "Linear" }).check();
+  await g41.settled();
+  await expect(g41.output).not.toHaveValue(/^G2 /m);
+});
+
+test("file, rules and target are kept over a reload", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  await g41.drop({ name: "square.ngc", text: SQUARE });
+  await page.getByLabel("Write for").selectOption("marlin");
+  await page.getByLabel("Read as").selectOption("fanuc");
+  await page.waitForTimeout(600);
+  await page.reload();
+  await expect(g41.program).toHaveValue(SQUARE);
+  await expect(page.getByRole("button", { name: "Save square.marlin.nc" })).toBeVisible();
+  await expect(page.getByLabel("Read as")).toHaveValue("fanuc");
+});

@@ -1,0 +1,172 @@
+// Files: opened by a button or dropped anywhere, and saved; tool tables are taken for the tools.
+
+import { readToolTable } from "g41";
+import { openText, setSettings } from "./actions";
+import type { ComputeClient } from "./compute-client";
+import { decoded } from "./long-text";
+import { VERY_LONG } from "./result";
+import type { Stage } from "./stage";
+import { type Document, NO_PART, type Store } from "./state";
+
+/** Larger files are no programs [bytes]. */
+const MOST_BYTES = 256 * 1024 * 1024;
+
+/** What the dialog of files offers. */
+const ENDINGS = ".nc,.ngc,.tap,.gcode,.cnc,.txt,.mpf,.min,.eia,.iso,.ncc,.tbl";
+
+/** Opens files into the document. */
+export class Files {
+  #store: Store;
+  #client: ComputeClient;
+  #stage: Stage;
+  /** What becomes the document once it was read; until then the page shows what it did. */
+  #pending: Document | undefined;
+
+  constructor(store: Store, client: ComputeClient, stage: Stage) {
+    this.#store = store;
+    this.#client = client;
+    this.#stage = stage;
+  }
+
+  /** The name of the file that is being opened. */
+  get opening(): string | undefined {
+    return this.#pending?.name;
+  }
+
+  /** Lets files be chosen. */
+  choose(): void {
+    const input = document.createElement("input");
+    input.type = "file";
+    input.accept = ENDINGS;
+    input.multiple = true;
+    input.addEventListener("change", () => this.open(input.files ?? []));
+    input.click();
+  }
+
+  /** Opens a program, a tool table, or both. */
+  async open(files: Iterable<File>): Promise<void> {
+    this.#store.set({ notice: undefined });
+    const all = [...files];
+    const tables = all.filter(({ name }) => /\.tbl$/i.test(name));
+    const programs = all.filter((file) => !tables.includes(file));
+    for (const table of tables) await this.#openTable(table);
+    const [program, another] = programs;
+    if (program) await this.#openProgram(program);
+    if (another) this.#say(`One program at a time: ${program?.name} was opened.`);
+  }
+
+  /** Takes the document of a result that was waited for. */
+  take(file: File | undefined): void {
+    if (!file || this.#pending?.file !== file) return;
+    const pending = this.#pending;
+    this.#pending = undefined;
+    this.#stage.fitNext();
+    openText(this.#store, pending);
+  }
+
+  /** Stops what takes long: what was shown before is shown again. */
+  cancel(): void {
+    this.#client.cancel();
+    const { name } = this.#store.state.work ?? { name: "" };
+    const wasOpening = this.#pending !== undefined;
+    this.#pending = undefined;
+    this.#store.set({ work: undefined, notice: `${name || "The program"}: cancelled.` });
+    // The document has changed already where other settings were asked for.
+    if (!wasOpening) this.#store.undo();
+    else this.#client.ask(this.#store.document);
+  }
+
+  /** Says why a file could not be opened; false where none is being opened. */
+  fail(message: string): boolean {
+    const pending = this.#pending;
+    this.#pending = undefined;
+    if (pending) this.#store.set({ work: undefined, notice: `${pending.name}: ${message}` });
+    return pending !== undefined;
+  }
+
+  async #openProgram(file: File): Promise<void> {
+    const { name, size } = file;
+    if (size > MOST_BYTES) {
+      this.#say(`${name} is too large: ${Math.round(size / 1e6)} MB.`);
+      return;
+    }
+    const { settings } = this.#store.document;
+    const empty = { name, text: "", file: undefined, part: NO_PART, partText: "", settings };
+    if (size > VERY_LONG) {
+      this.#store.set({ work: { name, step: "Reading", part: 0 } });
+      this.#pending = { ...empty, file };
+      this.#client.ask(this.#pending);
+      return;
+    }
+    const bytes = await file.arrayBuffer().catch(() => undefined);
+    if (!bytes || new Uint8Array(bytes).includes(0)) {
+      this.#say(`${name} ${bytes ? "is not a text" : "could not be read"}.`);
+      return;
+    }
+    this.#stage.fitNext();
+    openText(this.#store, { ...empty, text: decoded(new Uint8Array(bytes)).text });
+  }
+
+  async #openTable(file: File): Promise<void> {
+    const { tools, diagnostics } = readToolTable(await file.text());
+    const [first] = diagnostics;
+    const count = Object.keys(tools).length;
+    if (count > 0) setSettings(this.#store, { tools });
+    const line = first?.origin && "block" in first.origin ? first.origin.block : 0;
+    const wrong = first ? ` Line ${line}: ${first.message}.` : "";
+    this.#say(`${file.name}: ${count} tool${count === 1 ? "" : "s"} read.${wrong}`);
+  }
+
+  #say(notice: string): void {
+    this.#store.set({ notice });
+  }
+}
+
+/** Lets files be dropped anywhere on the page, and shows that they may be. */
+export function connectDrops(files: Files): void {
+  let depth = 0;
+  const holds = (event: DragEvent) => event.dataTransfer?.types.includes("Files") === true;
+  const show = (on: boolean) => document.body.classList.toggle("dropping", on);
+  window.addEventListener("dragenter", (event) => {
+    if (!holds(event)) return;
+    event.preventDefault();
+    depth += 1;
+    show(true);
+  });
+  window.addEventListener("dragover", (event) => {
+    if (holds(event)) event.preventDefault();
+  });
+  window.addEventListener("dragleave", (event) => {
+    if (!holds(event)) return;
+    depth = Math.max(0, depth - 1);
+    show(depth > 0);
+  });
+  window.addEventListener("drop", (event) => {
+    if (!holds(event)) return;
+    event.preventDefault();
+    depth = 0;
+    show(false);
+    // The list of a drop is empty once this has returned.
+    void files.open([...(event.dataTransfer?.files ?? [])]);
+  });
+}
+
+/** The name of a file without its ending. */
+export function stem(name: string): string {
+  return name.replace(/\.[^.]*$/, "") || "part";
+}
+
+/** Saves a text, or its bytes, as a file. */
+export function save(name: string, text: string | Uint8Array<ArrayBuffer>): void {
+  const address = URL.createObjectURL(new Blob([text], { type: "text/plain" }));
+  const link = document.createElement("a");
+  link.href = address;
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(address), 1000);
+}
+
+/** The name under which the compensated program is saved. */
+export function savedName({ name, settings }: Document): string {
+  return `${stem(name)}.${settings.target}.nc`;
+}

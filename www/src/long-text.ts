@@ -1,0 +1,51 @@
+// Texts too long for a string that is passed around: bytes that are moved from the worker, not copied,
+// and of which only the lines that are seen are ever decoded.
+
+/** A very long text. */
+export interface LongText {
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  /** Where each line begins. */
+  readonly starts: Uint32Array<ArrayBuffer>;
+  readonly encoding: "utf-8" | "windows-1252";
+}
+
+/** The text of bytes, and what they are: UTF-8, or what old editors write. */
+export function decoded(bytes: Uint8Array): { text: string; encoding: LongText["encoding"] } {
+  try {
+    return { text: new TextDecoder("utf-8", { fatal: true }).decode(bytes), encoding: "utf-8" };
+  } catch {
+    const encoding = "windows-1252";
+    return { text: new TextDecoder(encoding).decode(bytes), encoding };
+  }
+}
+
+/** Finds the lines of a text. */
+export function longText(
+  bytes: Uint8Array<ArrayBuffer>,
+  encoding: LongText["encoding"] = "utf-8",
+): LongText {
+  let starts = new Uint32Array(1 << 16);
+  let count = 1;
+  for (let at = bytes.indexOf(10); at >= 0; at = bytes.indexOf(10, at + 1)) {
+    if (count === starts.length) {
+      const larger = new Uint32Array(2 * count);
+      larger.set(starts);
+      starts = larger;
+    }
+    starts[count] = at + 1;
+    count += 1;
+  }
+  return { bytes, starts: starts.slice(0, count), encoding };
+}
+
+const decoders = {
+  "utf-8": new TextDecoder("utf-8"),
+  "windows-1252": new TextDecoder("windows-1252"),
+};
+
+/** A line of a text, counted from 0, without its end. */
+export function lineAt({ bytes, starts, encoding }: LongText, index: number): string {
+  const next = starts[index + 1];
+  const end = next === undefined ? bytes.length : next - 1;
+  return decoders[encoding].decode(bytes.subarray(starts[index], end)).replace(/\r$/, "");
+}

@@ -1,0 +1,97 @@
+// The file that is shown, which control it is written for, and the compensated program to be saved.
+
+import { setSettings } from "../actions";
+import { DIALECTS, isName, PROFILES, TARGETS } from "../controls";
+import { type Files, save, savedName } from "../files";
+import type { LongText } from "../long-text";
+import { isResultOf } from "../result";
+import type { Store } from "../state";
+import { element, icon } from "./elements";
+
+const ICONS = {
+  open: "M4 18V6h6l2 2h8v2M4 18l2.5-8H22l-2.5 8z",
+  save: "M12 4v11M7.5 10.5 12 15l4.5-4.5M5 20h14",
+} as const;
+
+/** Fills the form of the file and keeps it true to the state. */
+export function filePanel(form: HTMLFormElement, files: Files, store: Store): void {
+  form.addEventListener("submit", (event) => event.preventDefault());
+  const open = element("button", { type: "button", class: "button" }, icon(ICONS.open), "Open");
+  open.title = "Open a program or a tool table; or drop it anywhere";
+  open.addEventListener("click", () => files.choose());
+  const name = element("output", { class: "file-name" });
+  const facts = element("small", { class: "file-facts" });
+  form.append(
+    element(
+      "div",
+      { class: "file-row" },
+      open,
+      element("div", { class: "file-what" }, name, facts),
+    ),
+  );
+
+  const select = <Key extends "profile" | "dialect" | "target">(
+    key: Key,
+    label: string,
+    names: Readonly<Record<string, string>>,
+    hint: string,
+  ) => {
+    const menu = element("select", { "aria-label": label });
+    for (const [value, text] of Object.entries(names))
+      menu.append(element("option", { value }, text));
+    menu.addEventListener("change", () => {
+      if (isName(names, menu.value)) setSettings(store, { [key]: menu.value });
+    });
+    const row = element("label", { class: `field file-${key}`, title: hint });
+    row.append(element("span", {}, label), menu);
+    return { row, show: () => (menu.value = store.document.settings[key]) };
+  };
+  const profile = select(
+    "profile",
+    "Profile",
+    PROFILES,
+    "The control that the program is written for: whose rules of compensation are followed",
+  );
+  const dialect = select("dialect", "Read as", DIALECTS, "The language of the program");
+  const target = select("target", "Write for", TARGETS, "The control that the result is for");
+  const saver = element("button", { type: "button", class: "button main" }, icon(ICONS.save));
+  const savedAs = element("span", {}, "Save");
+  saver.append(savedAs);
+  saver.addEventListener("click", () => {
+    const { result } = store.state;
+    if (result) save(savedName(store.document), result.long?.code.bytes ?? result.gcode);
+  });
+  const notice = element("p", { class: "notice", role: "status" });
+  form.append(
+    element("div", { class: "file-rules" }, profile.row, dialect.row),
+    element("div", { class: "file-row file-save" }, target.row, saver),
+    notice,
+  );
+
+  const show = () => {
+    const { result, notice: said } = store.state;
+    const { name: file } = store.document;
+    name.textContent = file || "Own program";
+    name.title = file;
+    const long = isResultOf(result, store.document) ? result?.long : undefined;
+    facts.textContent = long ? factsOf(long.text) : "";
+    facts.hidden = facts.textContent === "";
+    for (const each of [profile, dialect, target]) each.show();
+    const as = savedName(store.document);
+    savedAs.textContent = "Save";
+    saver.setAttribute("aria-label", `Save ${as}`);
+    saver.title = `Save the compensated program as ${as}`;
+    saver.disabled = !result;
+    notice.textContent = said ?? "";
+    notice.hidden = said === undefined;
+  };
+  store.subscribe((state, before) => {
+    const { history, result, notice: said } = before;
+    if (state.history !== history || state.result !== result || state.notice !== said) show();
+  });
+  show();
+}
+
+function factsOf({ starts, bytes }: LongText): string {
+  return `${starts.length.toLocaleString("en")} lines, ${(bytes.length / 1e6).toFixed(1)} MB`;
+}
