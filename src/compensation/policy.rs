@@ -1,7 +1,7 @@
 //! What becomes of gouges: reported, avoided, or reason to make no path at all.
 
 use super::as_arcs::{ARC_SHARE, as_arcs};
-use super::assemble::{compensate_traced, usable};
+use super::assemble::{compensate, compensate_traced, usable};
 use super::avoid::avoid_all;
 use super::lookahead::{Passage, look_ahead};
 use super::passes::pocket;
@@ -34,11 +34,13 @@ pub fn compensate_all(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath 
     let mut path = ToolPath::default();
     // Contours that follow each other with the same tool are walls to each other.
     for group in jobs.chunk_by(|a, b| a.1.radius() == b.1.radius()) {
-        if options.lead == LeadStyle::LinuxCnc
-            && group.iter().any(|(contour, _)| contour.lead_in().is_some())
-        {
+        if group.iter().any(|(contour, _)| looks_ahead(contour, options)) {
             for &(contour, tool) in group {
-                path.append(look_ahead(contour, tool, options, &Passage::default()).0);
+                path.append(if looks_ahead(contour, options) {
+                    look_ahead(contour, tool, options, &Passage::default()).0
+                } else {
+                    compensate(contour, tool, options)
+                });
             }
             continue;
         }
@@ -56,6 +58,13 @@ pub fn compensate_all(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath 
         refuse_gouges(&mut path);
     }
     path
+}
+
+/// Whether a contour is led into as by a control that looks one block ahead.
+pub(super) fn looks_ahead(contour: &Contour, options: &Options) -> bool {
+    options.lead == LeadStyle::LinuxCnc
+        && options.gouge != GougePolicy::Avoid
+        && contour.lead_in().is_some()
 }
 
 /// Takes all moves from a path that gouges, and says so.

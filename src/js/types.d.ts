@@ -245,6 +245,11 @@ export type Dialect = "auto" | "linuxcnc" | "fanuc" | "sinumerik";
 /**
  * Whose rules of compensation are followed: a named set of the options of `compensate`, and of how
  * a program is read. `"g41"` is the textbook's.
+ *
+ * `"linuxcnc"` agrees with LinuxCNC in the planes G17 and G18: each move ends where the next one tells
+ * it to, arcs go round outside corners, an arc may lead in, and the tip of a lathe tool is where its
+ * orientation puts it. Where LinuxCNC stops, the path ends with an error that says why. A tool is
+ * called by D, or is the one that the last M6 has put into the spindle.
  */
 export type Profile = "g41" | "linuxcnc" | "fanuc" | "isg" | "sinumerik";
 

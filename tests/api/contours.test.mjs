@@ -7,6 +7,7 @@ import {
   compensate,
   distance,
   flatten,
+  LiveContour,
   left,
   part,
   RECORD_STRIDE,
@@ -337,4 +338,22 @@ test("a path may be of arcs and lines alone, as near to the spline as one of cub
     "bad-argument",
     "options.output",
   );
+});
+
+test("a lead-in as LinuxCNC makes it ends beside its own end", () => {
+  const angle = {
+    start: [10, 0],
+    leadIn: [0, 0],
+    leadOut: [40, 40],
+    segments: [
+      { kind: "line", to: [20, -10] },
+      { kind: "line", to: [40, -10] },
+    ],
+  };
+  const moves = (options) => compensate(angle, { side: "left", radius: 2, ...options }).moves;
+  const [leadIn, around] = moves({ profile: "linuxcnc" });
+  assert.deepEqual([leadIn?.role, leadIn?.to], ["lead-in", [10, 2, 0]]);
+  assert.deepEqual([around?.kind, around?.role], ["arc", "transition"]);
+  const live = new LiveContour(angle, { side: "left", radius: 2, profile: "linuxcnc" });
+  assert.deepEqual([...live.update().points.slice(0, 4)], [0, 0, 10, 2]);
 });

@@ -59,7 +59,9 @@ test("a profile is that of reading unless another is named, and an option wins o
   assert.deepEqual(inserted({ profile: "g41" }), []);
   const right = parseProgram(text.replace("G41", "G42"), { profile: "linuxcnc" });
   const round = (options) =>
-    kinds(compensate(right, { ...tools, ...options })).filter((kind) => kind.endsWith("transition"));
+    kinds(compensate(right, { ...tools, ...options })).filter((kind) =>
+      kind.endsWith("transition"),
+    );
   assert.deepEqual(round({}), linuxcnc);
   assert.deepEqual(round({ profile: "linuxcnc" }), linuxcnc);
   assert.ok(!round({ corner: "linear" }).includes("arc transition"));
@@ -83,7 +85,10 @@ test("what the control refuses ends the path", () => {
   const text = "G21 G0 X0 Y0 F100\nG41 D1 G1 X20\nX40\nG42 D1\nX60\nM2\n";
   const path = compensate(parseProgram(text, { profile: "linuxcnc" }), tools);
   const refused = path.diagnostics.filter(({ code }) => code === "refused");
-  assert.deepEqual(refused.map(({ severity, origin }) => [severity, origin.block]), [["error", 4]]);
+  assert.deepEqual(
+    refused.map(({ severity, origin }) => [severity, origin.block]),
+    [["error", 4]],
+  );
   assert.deepEqual(path.moves.at(-1)?.to, [20, 3, 0]);
 });
 

@@ -22,7 +22,7 @@ use glam::DVec2;
 use self::local::{Local, NotLocal};
 use self::part::Pen;
 use self::slots::Slots;
-use super::policy::compensate_all;
+use super::policy::{compensate_all, looks_ahead};
 use super::{GougePolicy, Options, Passes, SplineMethod};
 use crate::contour::{Built, ContourBuilder, Segment, Shape, SplineShape, Tool, ToolPath};
 use crate::geometry::{Curve, MIN_LENGTH};
@@ -361,7 +361,8 @@ impl LiveContour {
         let has_given = contour.segments().iter().any(|segment| {
             matches!(&segment.curve, Curve::Spline(spline) if !spline.is_through_points())
         });
-        if is_local && !has_given && diagnostics.is_empty() {
+        let is_local = is_local && !has_given && !looks_ahead(&contour, &self.options);
+        if is_local && diagnostics.is_empty() {
             let slots = [&mut self.path, &mut self.outline];
             let local =
                 Local::new(&contour, self.closed, self.tool, &self.options, self.chord, slots);
