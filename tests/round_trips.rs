@@ -22,9 +22,6 @@ const RADIUS: f64 = 1.5;
 /// Of splines [mm].
 const TOLERANCE: f64 = 0.001;
 
-/// Programs in words that are not understood yet.
-const WAITING: [&str; 1] = ["bezier.ngc"];
-
 fn programs() -> Vec<(String, String)> {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/programs");
     let mut programs: Vec<(String, String)> = fs::read_dir(folder)
@@ -36,7 +33,6 @@ fn programs() -> Vec<(String, String)> {
         })
         .collect();
     assert!(programs.len() >= 40, "{} programs", programs.len());
-    programs.retain(|(name, _)| !WAITING.contains(&name.as_str()));
     programs.sort();
     programs
 }

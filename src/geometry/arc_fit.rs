@@ -52,9 +52,9 @@ const SHARES: [f64; 2] = [0.98, 0.19];
 /// before a proof is tried; odd, so that one is in the middle.
 const SAMPLES: usize = 9;
 
-/// Steps to the arc that is least far off, each of which narrows its bulge to two thirds: to a
-/// hundredth of what it may be off at first.
-const STEPS: usize = 12;
+/// Steps to the arc that is least far off: each weighs the two points that are farthest off against
+/// each other, and from the second on they are mostly the same.
+const STEPS: usize = 3;
 
 /// Cubics up to which a stretch is looked for by its samples alone, and proved once it is found: on
 /// more there may be something between the samples.
@@ -282,15 +282,22 @@ fn arc_along(chord: &Line, points: &[DVec2; SAMPLES]) -> Option<ArcOrLine> {
         let share = (x / half).clamp(-1.0, 1.0);
         (x.hypot(y - center).copysign(radius) - radius, 1.0 - share * share)
     });
-    let off = |more: f64| above.iter().map(|(e, w)| (e - more * w).abs()).fold(0.0, f64::max);
-    // The largest of them is a convex function of the bulge.
-    let reach = off(0.0);
-    let (mut low, mut high) = (-reach, reach);
+    // Until the highest and the lowest of them are as far off.
+    let mut more = 0.0;
     for _ in 0..STEPS {
-        let third = (high - low) / 3.0;
-        if off(low + third) < off(high - third) { high -= third } else { low += third }
+        let (mut high, mut low) = ((f64::NEG_INFINITY, 1.0), (f64::INFINITY, 1.0));
+        for (above, share) in above {
+            let off = above - more * share;
+            if off > high.0 {
+                high = (off, share);
+            }
+            if off < low.0 {
+                low = (off, share);
+            }
+        }
+        more += (high.0 + low.0) / (high.1 + low.1);
     }
-    let bulge = bulge + 0.5 * (low + high);
+    let bulge = bulge + more;
     let radius = (half * half + bulge * bulge) / (2.0 * bulge.abs());
     if bulge.abs() >= half || radius.is_nan() || radius > MAX_RADIUS {
         return None;
