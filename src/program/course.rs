@@ -7,7 +7,7 @@
 use glam::DVec2;
 
 use super::items::{ContourEnd, Item, ProgrammedContour, RadiusSource};
-use super::open::{Open, builder_at, line_of};
+use super::open::{Open, builder_at, fault_of, line_of, refuse_arc};
 use super::report::Report;
 use super::rules::Rules;
 use super::spline_words::end_heading;
@@ -35,6 +35,8 @@ pub(super) struct Course {
     rules: Rules,
     /// Compensation was switched off, and no straight move has followed yet.
     needs_a_line: bool,
+    /// The control has stopped at a curve that cannot be.
+    pub(super) is_cut_off: bool,
     /// The direction in the plane in which the last move ends, where it is known.
     pub(super) heading: Option<DVec2>,
 }
@@ -59,6 +61,7 @@ impl Course {
             state: State::Off,
             rules,
             needs_a_line: false,
+            is_cut_off: false,
             heading: None,
         }
     }
@@ -218,8 +221,14 @@ impl Course {
     ) {
         self.heading = end_heading(from, &shape);
         let origin = attributes.origin;
+        if let Some(fault) = fault_of(from, &shape, attributes, self.rules) {
+            report.push(fault);
+            self.is_cut_off = true;
+            return self.cut_off(report);
+        }
         if self.needs_a_line {
-            self.refuse_arc(from, origin);
+            self.needs_a_line = false;
+            refuse_arc(&mut self.items, from, origin);
         }
         match std::mem::replace(&mut self.state, State::Off) {
             State::Off => self.free_curve(from, shape, attributes, report),
@@ -251,7 +260,7 @@ impl Course {
             }
             State::Ending(open) if self.rules.any_lead => {
                 self.close(open, None, ContourEnd::Off, report);
-                self.refuse_arc(from, origin);
+                refuse_arc(&mut self.items, from, origin);
                 self.free_curve(from, shape, attributes, report);
             }
             State::Ending(open) => {
@@ -412,24 +421,6 @@ impl Course {
         }
         if let Some(lead) = lead_out {
             self.free_line(at, lead.point, &lead.attributes);
-        }
-    }
-
-    /// An arc may not follow G40, unless there was no radius to compensate.
-    fn refuse_arc(&mut self, from: DVec2, origin: Origin) {
-        self.needs_a_line = false;
-        let last = self.items.iter_mut().rev().find_map(|item| match item {
-            Item::Contour(contour) => Some(contour),
-            Item::Free(_) | Item::Words { .. } => None,
-        });
-        if let Some(contour) = last {
-            let message = "the first move without compensation is an arc or a spline";
-            contour.end = ContourEnd::Refused(Box::new(
-                Diagnostic::error("curved-lead-out", message)
-                    .with_origin(origin)
-                    .with_point(from)
-                    .with_hint("lead out with a straight move (G00 or G01) first"),
-            ));
         }
     }
 

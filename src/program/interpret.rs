@@ -136,6 +136,7 @@ impl Interpreter {
             );
             words.take_all(GEOMETRY);
         }
+        self.is_refused |= self.course.is_cut_off;
         if self.is_refused {
             return Flow::End;
         }

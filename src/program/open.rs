@@ -3,9 +3,10 @@
 use glam::DVec2;
 
 use super::course::SwitchOn;
+use super::items::{ContourEnd, Item};
 use super::rules::Rules;
-use crate::contour::{ContourBuilder, EventKind, Lead, Shape};
-use crate::diagnostic::Origin;
+use crate::contour::{Attributes, ContourBuilder, EventKind, Lead, Shape};
+use crate::diagnostic::{Diagnostic, Origin, Severity};
 
 /// A contour whose end is not known yet.
 #[derive(Debug)]
@@ -64,10 +65,42 @@ pub(super) fn builder_at(start: DVec2, rules: Rules) -> ContourBuilder {
     builder
 }
 
+/// Why a control that stops at every fault cannot make a curve as it is described.
+pub(super) fn fault_of(
+    from: DVec2,
+    shape: &Shape,
+    attributes: Attributes,
+    rules: Rules,
+) -> Option<Diagnostic> {
+    if !rules.is_strict {
+        return None;
+    }
+    let mut builder = builder_at(from, rules);
+    builder.segment(shape.clone(), attributes);
+    builder.build(false).diagnostics.into_iter().find(|found| found.severity == Severity::Error)
+}
+
 /// The line of a block.
 pub(super) fn line_of(origin: Origin) -> u32 {
     match origin {
         Origin::Block { line, .. } => line,
         Origin::Segment(index) => index,
+    }
+}
+
+/// An arc may not follow G40, unless there was no radius to compensate.
+pub(super) fn refuse_arc(items: &mut [Item], from: DVec2, origin: Origin) {
+    let last = items.iter_mut().rev().find_map(|item| match item {
+        Item::Contour(contour) => Some(contour),
+        Item::Free(_) | Item::Words { .. } => None,
+    });
+    if let Some(contour) = last {
+        let message = "the first move without compensation is an arc or a spline";
+        contour.end = ContourEnd::Refused(Box::new(
+            Diagnostic::error("curved-lead-out", message)
+                .with_origin(origin)
+                .with_point(from)
+                .with_hint("lead out with a straight move (G00 or G01) first"),
+        ));
     }
 }

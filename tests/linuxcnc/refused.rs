@@ -6,7 +6,7 @@ use super::run::{end, errors, run};
 use glam::DVec3;
 
 /// A program up to its fault, the code of the error, its line, and where the path ends.
-const CASES: [(&str, &str, u32, [f64; 2]); 25] = [
+const CASES: [(&str, &str, u32, [f64; 2]); 27] = [
     // The step of 0.1 is shorter than what two inside corners take of it.
     (
         "G21 G0 X0 Y0 F10\nG41.1 D0.25\nG1 X1\nG1 X2\nG1 Y0.1\nG1 X1\nG40\nG1 X2",
@@ -43,6 +43,9 @@ const CASES: [(&str, &str, u32, [f64; 2]); 25] = [
     ("G21 G19 G0 X0 Y0 F10\nG41.1 D4\nG1 Y9\nG1 Y20", "refused", 2, [0.0, 0.0]),
     // A tool that is not in the table.
     ("G21 G0 X0 Y0 F10\nG41 D8\nG1 X9\nG1 X20\nG40 G1 X30", "missing-radius", 2, [0.0, 0.0]),
+    // Arcs that cannot be.
+    ("G21 G0 X0 Y0 F10\nG41.1 D2\nG1 X9\nG3 X30 Y1 R5\nG1 X50", "radius-too-small", 4, [0.0, 0.0]),
+    ("G21 G0 X5 Y0 F10\nG3 X30 Y1 I5 J0\nG1 X50", "radii-disagree", 2, [5.0, 0.0]),
     // Two arcs about one centre.
     (
         "G21 G0 X0 Y0 F10\nG41.1 D2\nG1 X9\nG3 X9 Y10 I0 J5\nG2 X9 Y0 I0 J-5\nG40\nG1 X0",
