@@ -192,7 +192,7 @@ impl Queue {
 
     fn draw(&mut self, pending: &Pending, to: DVec2) {
         let Pending { shape, attributes, role, .. } = *pending;
-        let climbs = attributes.heights[0] != attributes.heights[1];
+        let climbs = (attributes.heights[1] - attributes.heights[0]).abs() > MIN_LENGTH;
         let curve = match shape {
             Shape::Line { .. } => Line::new(self.pen, to).ok().map(MoveCurve::Line),
             Shape::Arc { center, clockwise, sweep } => {
