@@ -118,6 +118,64 @@ fn words(random: &mut Random, count: usize) -> String {
     text
 }
 
+/// Blocks of curves, and words between them, in no order.
+fn curves(random: &mut Random, count: usize) -> String {
+    const HEADS: [&str; 32] = [
+        "G5",
+        "G5.1",
+        "G5.2",
+        "G5.2 P1 L3",
+        "G5.3",
+        "G5.3",
+        "G6.1",
+        "G6.2 P3",
+        "G6.2 P4 Q1",
+        "G6.2",
+        "ASPLINE",
+        "BSPLINE",
+        "BSPLINE SD=2",
+        "CSPLINE",
+        "BAUTO",
+        "BNAT",
+        "ETAN",
+        "ENAT CSPLINE",
+        "G1",
+        "G2 CR=5",
+        "G41 D1 G1",
+        "G40",
+        "G18",
+        "G17",
+        "G91",
+        "G90",
+        "G20",
+        "G21",
+        "G51.1",
+        "M3",
+        "G93 F2",
+        "G4 P1",
+    ];
+    const WORDS: [&str; 14] =
+        ["X", "Y", "X", "Y", "X", "Y", "Z", "I", "J", "P", "Q", "K", "R", "L"];
+    const NUMBERS: [&str; 12] =
+        ["0", "1", "2", "3", "-4", "10.5", "-7.25", "25", "1e3", "0.001", "9999999", "1000000000"];
+    let mut text = String::from("G0 X0 Y0\nF600\n");
+    for _ in 0..count {
+        if random.below(3) == 0 {
+            text.push_str(random.pick(&HEADS));
+            text.push(' ');
+        }
+        for _ in 0..random.below(5) {
+            let named = ["PW=", "PL="];
+            let usual = random.below(12) > 0;
+            text.push_str(if usual { random.pick(&WORDS) } else { random.pick(&named) });
+            text.push_str(random.pick(&NUMBERS[..if usual { 8 } else { 12 }]));
+            text.push(' ');
+        }
+        text.push('\n');
+    }
+    text
+}
+
 /// A value as expressions have it, nested up to `depth`.
 fn value(random: &mut Random, depth: u64) -> String {
     const SIMPLE: [&str; 24] = [
@@ -305,6 +363,24 @@ fn random_words_give_paths_that_can_be_written_and_read_again() {
         };
         let fault = again.diagnostics.iter().find(wrong);
         assert!(fault.is_none(), "seed {seed}: {fault:?}\n{}", written.text);
+    }
+}
+
+#[test]
+fn random_curves_are_read_compensated_and_written() {
+    for seed in 0..CASES / 4 {
+        let text = curves(&mut Random(seed), 60);
+        for dialect in [Dialect::LinuxCnc, Dialect::Sinumerik] {
+            let read = interpret(&Program::parse(&text, dialect), Rules::default());
+            assert_bounded(&read.diagnostics);
+            let path = compensate_program(&read, &Tools::all(1.5), &Options::default());
+            for found in &path.moves {
+                let [a, b] = [found.curve.start(), found.curve.end()];
+                assert!(a.is_finite() && b.is_finite(), "seed {seed}: {found:?}\n{text}");
+            }
+            let written = emit(&path, &EmitOptions::default());
+            assert!(written.text.starts_with("G21"), "seed {seed}");
+        }
     }
 }
 

@@ -17,7 +17,12 @@ const MOST_ORDER: usize = 16;
 
 /// Halvings of a Bézier curve until its cubic is taken as it is: 2⁻¹⁶ of a span, where an error of
 /// the fourth order is down at the rounding of coordinates.
-const DEEPEST: u32 = 16;
+const DEEPEST: usize = 16;
+
+/// Most cubics of one curve, and for each of its control points as many more: a quarter of a circle
+/// of a metre takes 400 at a nanometre and 20 at a tenth of a micrometre.
+const MOST_CUBICS: usize = 2000;
+const MORE_CUBICS: usize = 50;
 
 /// Weights below this fraction of the largest count as zero at an end, where the curve would be
 /// nowhere.
@@ -42,6 +47,9 @@ pub enum NurbsError {
     KnotRepeated,
     /// A weight is negative, or zero where a span ends.
     Weight,
+    /// It takes more than 2000 cubics, and 50 more for each control point, to be within the
+    /// tolerance.
+    TooFine,
 }
 
 impl fmt::Display for NurbsError {
@@ -59,6 +67,7 @@ impl fmt::Display for NurbsError {
             }
             Self::KnotRepeated => "too many inner knots of the NURBS curve are equal",
             Self::Weight => "a weight of the NURBS curve is not positive",
+            Self::TooFine => "the NURBS curve has too many cubics within the tolerance",
         })
     }
 }
@@ -138,6 +147,8 @@ impl Nurbs {
     /// The knots of a curve whose inner knots are evenly spaced, and simple.
     #[must_use]
     pub fn uniform_knots(order: usize, count: usize) -> Vec<f64> {
+        // No curve has a higher order: whatever knots it is given, it is refused.
+        let order = order.min(MOST_ORDER);
         let first = order.saturating_sub(1);
         (0..count + order).map(|i| (i.clamp(first, count.max(first)) - first) as f64).collect()
     }
@@ -151,8 +162,10 @@ impl Nurbs {
     /// Cubics that follow each other: the curve itself, or within `tolerance` [mm] of it.
     ///
     /// # Errors
-    /// [`NurbsError::Weight`], where weights make the curve run to infinity.
+    /// [`NurbsError::Weight`], where weights make the curve run to infinity, and
+    /// [`NurbsError::TooFine`].
     pub fn cubics(&self, tolerance: f64) -> Result<Vec<Cubic>, NurbsError> {
+        let most = MOST_CUBICS + MORE_CUBICS * self.controls.len();
         let mut cubics = Vec::new();
         let mut bezier = vec![DVec3::ZERO; self.order];
         for span in self.order - 1..self.controls.len() {
@@ -167,7 +180,10 @@ impl Nurbs {
                 if self.is_cubic() {
                     cubics.push(elevated(&bezier));
                 } else {
-                    approximate(&mut bezier.clone(), tolerance, 0, &mut cubics);
+                    approximate(&mut bezier.clone(), tolerance, [DEEPEST, most], &mut cubics);
+                }
+                if cubics.len() >= most {
+                    return Err(NurbsError::TooFine);
                 }
             }
         }
@@ -214,8 +230,17 @@ fn elevated(bezier: &[DVec3]) -> Cubic {
     )
 }
 
-/// Appends cubics within `tolerance` of a rational Bézier curve.
-fn approximate(bezier: &mut [DVec3], tolerance: f64, depth: u32, cubics: &mut Vec<Cubic>) {
+/// Appends cubics within `tolerance` of a rational Bézier curve, halved so often and not more of them
+/// in all.
+fn approximate(
+    bezier: &mut [DVec3],
+    tolerance: f64,
+    [depth, most]: [usize; 2],
+    cubics: &mut Vec<Cubic>,
+) {
+    if cubics.len() >= most {
+        return;
+    }
     let last = bezier.len() - 1;
     // The same curve by another parameter, with equal weights at its ends (Farin 1983).
     let ratio = (bezier[0].z / bezier[last].z).powf(1.0 / last as f64);
@@ -231,7 +256,7 @@ fn approximate(bezier: &mut [DVec3], tolerance: f64, depth: u32, cubics: &mut Ve
     let before = bezier[last - 1];
     let at_end = (end * before.z - before.truncate()) * (degree / bezier[last].z);
     let cubic = Cubic::hermite(start, at_start, end, at_end);
-    if depth == DEEPEST || error(bezier, &cubic) <= tolerance {
+    if depth == 0 || error(bezier, &cubic) <= tolerance {
         cubics.push(cubic);
         return;
     }
@@ -243,8 +268,8 @@ fn approximate(bezier: &mut [DVec3], tolerance: f64, depth: u32, cubics: &mut Ve
         }
         first.push(bezier[0]);
     }
-    approximate(&mut first, tolerance, depth + 1, cubics);
-    approximate(bezier, tolerance, depth + 1, cubics);
+    approximate(&mut first, tolerance, [depth - 1, most], cubics);
+    approximate(bezier, tolerance, [depth - 1, most], cubics);
 }
 
 /// A bound of the distance of a rational Bézier curve from a cubic at the same parameter [mm].

@@ -220,6 +220,10 @@ impl Course {
         report: &mut Report,
     ) {
         self.heading = end_heading(from, &shape);
+        if let Shape::Bezier { controls } = &shape {
+            // A block can make many of them.
+            self.segments += controls.len() / 3;
+        }
         let origin = attributes.origin;
         if let Some(fault) = fault_of(from, &shape, attributes, self.rules) {
             report.push(fault);

@@ -155,6 +155,10 @@ test("options for programs", () => {
   throwsCode(() => parseProgram(5), "bad-argument", "text");
   throwsCode(() => parseProgram("", { Dialect: "auto" }), "bad-argument", "options.Dialect");
   throwsCode(() => parseProgram("", { dialect: 1 }), "bad-argument", "options.dialect");
+  const finest = { curveTolerance: 0 };
+  throwsCode(() => parseProgram("", finest), "bad-argument", "options.curveTolerance");
+  const spaced = { splineParameter: "uniform" };
+  throwsCode(() => parseProgram("", spaced), "bad-argument", "options.splineParameter");
 });
 
 test("options and path of the judge", () => {

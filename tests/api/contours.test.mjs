@@ -111,6 +111,39 @@ test("records of a contour give the same path as objects", () => {
   assert.equal(path.moves.at(-1).role, "lead-out");
 });
 
+test("Bézier curves are segments, one for each stretch without a corner", () => {
+  const controls = [
+    ...[
+      [10, 0],
+      [20, 0],
+      [30, 0],
+    ],
+    ...[
+      [40, 0],
+      [50, 10],
+      [50, 20],
+    ],
+    ...[
+      [60, 20],
+      [70, 20],
+      [80, 20],
+    ],
+  ];
+  const contour = { start: [0, 0], segments: [{ kind: "bezier", controls }] };
+  const path = compensate(contour, left);
+  assert.deepEqual(path.diagnostics, []);
+  assert.equal(path.transitions.length, 1, "the corner at the third");
+  assert.deepEqual(path.transitions[0].corner, [50, 20]);
+  const flat = { kind: "bezier", controls: Float64Array.from(controls.flat()) };
+  const same = compensate({ start: [0, 0], segments: [flat] }, left);
+  assert.deepEqual(same.records(), path.records());
+  const records = Float64Array.of(0, 0, 0, 0, 8, 9, ...controls.flat());
+  assert.deepEqual(compensate(records, left).records(), path.records());
+  const short = { kind: "bezier", controls: controls.slice(0, 2) };
+  const { diagnostics } = compensate({ start: [0, 0], segments: [short] }, left);
+  assert.equal(diagnostics[0].code, "too-few-points");
+});
+
 test("what the options say wins over what the contour says", () => {
   const contour = { ...square, side: "right", radius: 1 };
   assert.deepEqual(compensate(contour, left).records(), compensate(square, left).records());

@@ -31,6 +31,38 @@ test("a programmed contour is compensated from code as in its program", () => {
   assert.deepEqual(ends(alone), ends(whole));
 });
 
+test("spline blocks are contours as they could be given from code", () => {
+  const text = `G0 X-20 Y0
+G41 D1 G1 X0 F600
+G5 I10 J0 P-10 Q0 X30 Y10
+G5.2 P1 L3
+X40 Y10 P0.5
+X50 Y25
+G5.3
+G40 G1 X80`;
+  const read = parseProgram(text);
+  assert.deepEqual(
+    read.diagnostics.map(({ code, severity }) => [code, severity]),
+    [["approximated", "info"]],
+  );
+  const [{ segments }] = read.contours;
+  assert.deepEqual(segments[0].controls, [
+    [10, 0],
+    [20, 10],
+    [30, 10],
+  ]);
+  assert.equal(segments[1].kind, "bezier");
+  const finer = parseProgram(text, { curveTolerance: 1e-6 });
+  assert.ok(finer.contours[0].segments[1].controls.length > segments[1].controls.length);
+  const ends = (path) => path.moves.filter((move) => move.role !== "free").map(({ to }) => to);
+  const alone = compensate(read.contours[0], { radius: 3 });
+  assert.deepEqual(ends(alone), ends(compensate(read, tools)));
+  const through = "G0 X0 Y0\nG05 X1 Y0 F600\nX10 Y6\nX12 Y0\n";
+  const moves = (options) => compensate(parseProgram(through, options), tools).records();
+  assert.deepEqual(moves({ splineParameter: "chord" }), moves());
+  assert.notDeepEqual(moves({ splineParameter: "centripetal" }), moves());
+});
+
 test("a program is compensated again with another tool, without reading it again", () => {
   const read = parseProgram(program);
   const first = compensate(read, tools).records();

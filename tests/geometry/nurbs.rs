@@ -242,4 +242,8 @@ fn what_is_no_curve_is_refused() {
     hollow[2].1 = 0.0;
     let curve = Nurbs::new(3, fine.to_vec(), &hollow).expect("its ends have weights");
     assert_eq!(curve.cubics(1e-4), Err(NurbsError::Weight), "nothing at the joint");
+    let long: Vec<(DVec2, f64)> =
+        (0..60).map(|i| (p(f64::from(i), f64::from(i % 2) * 1e6), f64::from(1 + i % 3))).collect();
+    let curve = Nurbs::new(3, Nurbs::uniform_knots(3, 60), &long).expect("a curve");
+    assert_eq!(curve.cubics(0.0), Err(NurbsError::TooFine), "but not without end");
 }
