@@ -11,6 +11,9 @@ import type { Palette } from "./palette";
 import { addRun } from "./shapes";
 import { drawConstruction } from "./transition";
 
+/** Room that one mark of a diagnostic takes [px]. */
+const MARK_ROOM = 44;
+
 /** The tool at a place. */
 export interface Tool {
   readonly at: Point;
@@ -219,9 +222,15 @@ function drawSpokes(context: Context, { view, palette, handles, selection, hover
 
 function drawDiagnostics(context: Context, scene: OverlayScene, result: Result): void {
   const { view, palette, chosen } = scene;
+  const taken = new Set<string>();
   for (const diagnostic of result.diagnostics) {
     if (!diagnostic.at || diagnostic.severity === "info") continue;
     const [x, y] = toScreen(view, diagnostic.at);
+    if (x < -40 || y < -40 || x > scene.size.width + 40 || y > scene.size.height + 40) continue;
+    // Of many that stand on each other one is enough; zoomed in, each is seen.
+    const cell = `${Math.round(x / MARK_ROOM)} ${Math.round(y / MARK_ROOM)}`;
+    if (taken.has(cell) && keyOf(diagnostic) !== chosen) continue;
+    taken.add(cell);
     const color = diagnostic.severity === "error" ? palette.error : palette.warning;
     const isChosen = keyOf(diagnostic) === chosen;
     if (isChosen) {

@@ -130,9 +130,12 @@ function stroke(
 function seek({ at, within }: Seek): number | undefined {
   let line: number | undefined;
   let least = within;
-  for (const { strokes, levels } of layers) {
+  // Rapid moves cross everything: one is meant where nothing else is near.
+  const isRapid = (layer: Layer) => Number(layer.strokes.kind === "rapid");
+  for (const layer of [...layers].sort((a, b) => isRapid(a) - isRapid(b))) {
+    const { strokes, levels } = layer;
     const all = levels.at(-1);
-    if (!all || strokes.kind === "contour") continue;
+    if (!all || strokes.kind === "contour" || (line && isRapid(layer))) continue;
     const { points, lines } = strokes;
     const near: Box = {
       min: [at[0] - within, at[1] - within],
