@@ -16,7 +16,7 @@ use g41::js::{
     Numbering, RECORD_STRIDE, contours_json, diagnostics_json, gouges_json, loops_json,
     transitions_json, uncut_json,
 };
-use g41::program::{ContourEnd, ProgrammedContour, RadiusSource};
+use g41::program::{ContourEnd, ContourStart, ProgrammedContour, RadiusSource};
 use glam::{DVec2, dvec2};
 
 const BLOCK: Origin = Origin::Block { line: 3, number: Some(20), column: Some(5) };
@@ -145,6 +145,7 @@ fn contours() -> Vec<ProgrammedContour> {
             unit: 1.0,
             orientation: 0,
             leads_in: false,
+            begins: ContourStart::Anew,
             end: ContourEnd::Off,
             blocks: [2, 9],
         }

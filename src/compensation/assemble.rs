@@ -68,8 +68,12 @@ pub(super) fn compensate_traced(
         runs: &runs,
         corners: &corners,
         closing: closing.as_ref(),
-        lead_in: leads[0].map(|lead| (lead, lead_in(lead.point, first, tool, options))),
-        lead_out: leads[1].map(|lead| (lead, lead_out(last, lead.point, tool, options))),
+        lead_in: leads[0].map(|lead| {
+            (lead, lead_in(lead.point, lead.attributes.wish.lead, first, tool, options))
+        }),
+        lead_out: leads[1].map(|lead| {
+            (lead, lead_out(last, lead.point, lead.attributes.wish.lead, tool, options))
+        }),
     };
     let spans = contour.segments().iter().map(|segment| match &segment.curve {
         Curve::Line(_) | Curve::Arc(_) => 1,
@@ -201,15 +205,16 @@ impl Assembly<'_> {
         attributes: &Attributes,
         corner: DVec2,
     ) {
-        let Some((kind, angle)) = solved.corner else { return };
-        builder.path.transitions.push(Transition {
-            kind,
-            angle,
-            corner,
-            construction: solved.solution.construction.clone(),
-            origin: attributes.origin,
-        });
-        builder.moves(&solved.solution.inserted, Role::Transition, attributes);
+        if let Some((kind, angle)) = solved.corner {
+            builder.path.transitions.push(Transition {
+                kind,
+                angle,
+                corner,
+                construction: solved.solution.construction.clone(),
+                origin: attributes.origin,
+            });
+        }
+        builder.moves(&solved.solution.inserted, solved.role, attributes);
     }
 
     fn add_events(&self, builder: &mut PathBuilder, before: usize) {
@@ -268,8 +273,11 @@ impl Assembly<'_> {
         } else {
             let sign = self.tool.side().sign();
             let directions = [corner, incoming.tangents[1], outgoing.tangents[0]];
-            let tame =
-                *kind == TransitionKind::Elongated || self.options.corner == CornerStyle::Arc;
+            let tame = match self.options.corner_of(&outgoing.segment.attributes) {
+                CornerStyle::Linear => *kind == TransitionKind::Elongated,
+                CornerStyle::Arc => true,
+                CornerStyle::Intersection | CornerStyle::Conic(_) => false,
+            };
             trace.corner(directions, sign, &solution.inserted, moves_end, tame);
         }
     }

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use glam::DVec2;
 
+use super::beyond::{conic, run_on};
 use super::run::Run;
 use super::transition::{
     CornerFrame, Flank, Place, Shortening, Solution, Terminal, elongated, inserted, shortened,
@@ -113,8 +114,9 @@ pub(super) fn solve(
     };
     let frame = CornerFrame::new(&corner, tool);
     let solved = |solution, missed| Solved::Transition { kind, angle, solution, missed };
-    match kind {
-        TransitionKind::Shortened => {
+    let style = options.corner_of(&outgoing.segment.attributes);
+    match (kind, style) {
+        (TransitionKind::Shortened, _) => {
             let (leg_in, leg_out) = (leg_of(incoming, 1), leg_of(outgoing, 0));
             let shortening = shortened(
                 &frame,
@@ -128,19 +130,25 @@ pub(super) fn solve(
                 Shortening::Missed(solution) => solved(solution, true),
             }
         }
-        TransitionKind::Elongated if options.corner == CornerStyle::Linear => {
+        (TransitionKind::Elongated, CornerStyle::Linear) => {
             let solution = elongated_on_circle(incoming, outgoing, &frame).unwrap_or_else(|| {
                 let leg = |run: &Run| run.is_straight() || run.polygon.is_some();
                 elongated(&frame, leg(incoming), leg(outgoing))
             });
             solved(solution, false)
         }
-        TransitionKind::Inserted if options.corner == CornerStyle::Linear => {
+        (TransitionKind::Inserted, CornerStyle::Linear) => {
             let solution = inserted(&frame, incoming.is_straight(), outgoing.is_straight());
             solved(solution, false)
         }
-        TransitionKind::Elongated | TransitionKind::Inserted => {
-            solved(round_the_corner(&frame, tool), false)
+        (_, CornerStyle::Intersection | CornerStyle::Conic(100..)) => {
+            let solution = run_on(incoming, outgoing, &frame, corner.turn());
+            solved(solution.unwrap_or_else(|| round_the_corner(&frame, tool)), false)
+        }
+        (_, CornerStyle::Arc) => solved(round_the_corner(&frame, tool), false),
+        (_, CornerStyle::Conic(disc)) => {
+            let solution = round_by_conic(&frame, corner.turn(), disc, tool, options);
+            solved(solution, false)
         }
     }
 }
@@ -153,6 +161,23 @@ pub(super) fn round_the_corner(frame: &CornerFrame, tool: Tool) -> Solution {
         inserted: frame.corner_arc(tool).into_iter().collect(),
         construction: frame.construction(),
     }
+}
+
+/// The solution of an outside corner with a conic between both offsets, or an arc where that is
+/// too sharp.
+pub(super) fn round_by_conic(
+    frame: &CornerFrame,
+    turn: f64,
+    disc: u8,
+    tool: Tool,
+    options: &Options,
+) -> Solution {
+    let mut solution = round_the_corner(frame, tool);
+    if let Some(moves) = conic(frame, turn, disc, options.usable_tolerance()) {
+        solution.construction.push(("V", frame.v()));
+        solution.inserted = moves;
+    }
+    solution
 }
 
 /// The equidistant of the polygon's leg at an end, as one piece.

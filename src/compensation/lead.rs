@@ -7,11 +7,12 @@
 
 use glam::DVec2;
 
-use super::corner::{classify, round_the_corner};
+use super::beyond::is_too_sharp;
+use super::corner::{classify, round_by_conic, round_the_corner};
 use super::run::Run;
-use super::transition::{CornerFrame, Solution, Terminal, elongated, inserted};
+use super::transition::{CornerFrame, Solution, Terminal, elongated, inserted, polyline};
 use super::{CornerStyle, LeadStyle, Options};
-use crate::contour::{Corner, CornerKind, Tool, TransitionKind};
+use crate::contour::{Corner, CornerKind, LeadWish, Role, Tool, TransitionKind};
 use crate::geometry::direction;
 
 /// How a lead and the contour are joined.
@@ -23,10 +24,19 @@ pub(super) struct LeadSolution {
     pub(super) corner: Option<(TransitionKind, f64)>,
     /// Moves between lead and contour, and the terminal of the contour.
     pub(super) solution: Solution,
+    /// What these moves are.
+    pub(super) role: Role,
 }
 
-/// The lead-in from `from` to the start of `outgoing`.
-pub(super) fn lead_in(from: DVec2, outgoing: &Run, tool: Tool, options: &Options) -> LeadSolution {
+/// The lead-in from `from` to the start of `outgoing`, as its program wishes.
+pub(super) fn lead_in(
+    from: DVec2,
+    wish: LeadWish,
+    outgoing: &Run,
+    tool: Tool,
+    options: &Options,
+) -> LeadSolution {
+    let options = &Options { lead: options.lead_of(wish), ..*options };
     let point = outgoing.segment.curve.start();
     let corner = direction(point - from).map(|along| Corner {
         point,
@@ -35,11 +45,23 @@ pub(super) fn lead_in(from: DVec2, outgoing: &Run, tool: Tool, options: &Options
         incoming_curvature: 0.0,
         outgoing_curvature: outgoing.curvatures[0],
     });
-    solve(corner, outgoing.ends[0], [None, Some(outgoing)], tool, options)
+    let lead = solve(corner, outgoing.ends[0], [None, Some(outgoing)], tool, options);
+    if options.lead != LeadStyle::ExtraMove {
+        return lead;
+    }
+    let moves = [point, lead.end];
+    by_extra_move(lead, point, moves, Role::LeadIn)
 }
 
-/// The lead-out from the end of `incoming` to `to`.
-pub(super) fn lead_out(incoming: &Run, to: DVec2, tool: Tool, options: &Options) -> LeadSolution {
+/// The lead-out from the end of `incoming` to `to`, as its program wishes.
+pub(super) fn lead_out(
+    incoming: &Run,
+    to: DVec2,
+    wish: LeadWish,
+    tool: Tool,
+    options: &Options,
+) -> LeadSolution {
+    let options = &Options { lead: options.lead_of(wish), ..*options };
     let point = incoming.segment.curve.end();
     let corner = direction(to - point).map(|along| Corner {
         point,
@@ -48,7 +70,18 @@ pub(super) fn lead_out(incoming: &Run, to: DVec2, tool: Tool, options: &Options)
         incoming_curvature: incoming.curvatures[1],
         outgoing_curvature: 0.0,
     });
-    solve(corner, incoming.ends[1], [Some(incoming), None], tool, options)
+    let lead = solve(corner, incoming.ends[1], [Some(incoming), None], tool, options);
+    if options.lead != LeadStyle::ExtraMove {
+        return lead;
+    }
+    let moves = [lead.end, point];
+    by_extra_move(lead, point, moves, Role::LeadOut)
+}
+
+/// A lead that ends on the contour, with a move at right angles between there and beside it.
+fn by_extra_move(lead: LeadSolution, end: DVec2, moves: [DVec2; 2], role: Role) -> LeadSolution {
+    let solution = Solution { inserted: polyline(&moves), ..lead.solution };
+    LeadSolution { end, solution, role, ..lead }
 }
 
 /// The corner between a lead and the contour, whose run is given on its side and ends at `beside`.
@@ -60,17 +93,18 @@ fn solve(
     tool: Tool,
     options: &Options,
 ) -> LeadSolution {
-    let mut lead = LeadSolution { end: beside, corner: None, solution: whole(Vec::new()) };
+    let role = Role::Transition;
+    let mut lead = LeadSolution { end: beside, corner: None, solution: whole(Vec::new()), role };
     let Some(corner) = corner else { return lead };
     let CornerKind::Transition { kind, angle } = classify(&corner, tool, options) else {
         return lead;
     };
     let frame = CornerFrame::new(&corner, tool);
     lead.corner = Some((kind, angle));
-    if options.lead == LeadStyle::Textbook && kind != TransitionKind::Shortened {
+    if options.lead.goes_round() && kind != TransitionKind::Shortened {
         // The lead ends beside its own end.
         lead.end = if runs[0].is_none() { frame.n1 } else { frame.n2 };
-        lead.solution = around_corner(kind, &frame, runs, tool, options);
+        lead.solution = around_corner(kind, corner.turn(), &frame, runs, tool, options);
     } else {
         lead.solution = whole(frame.construction());
     }
@@ -80,18 +114,24 @@ fn solve(
 /// Round an outside corner; the lead itself is not run on, as it does not lie beside its line.
 fn around_corner(
     kind: TransitionKind,
+    turn: f64,
     frame: &CornerFrame,
     runs: [Option<&Run>; 2],
     tool: Tool,
     options: &Options,
 ) -> Solution {
-    match (options.corner, kind) {
+    // Words that choose it hold for the contour beside the lead.
+    let beside = runs[1].or(runs[0]);
+    let style = beside.map_or(options.corner, |run| options.corner_of(&run.segment.attributes));
+    match (style, kind) {
         (CornerStyle::Arc, _) => round_the_corner(frame, tool),
+        (CornerStyle::Conic(disc), _) => round_by_conic(frame, turn, disc, tool, options),
+        (CornerStyle::Intersection, _) if is_too_sharp(turn) => round_the_corner(frame, tool),
         (CornerStyle::Linear, TransitionKind::Inserted) => {
             let [incoming, outgoing] = runs.map(|run| run.is_some_and(Run::is_straight));
             inserted(frame, incoming, outgoing)
         }
-        (CornerStyle::Linear, _) => {
+        (CornerStyle::Linear | CornerStyle::Intersection, _) => {
             // A spline through moved type points itself begins or ends at V.
             let leg = |run: &Run| run.is_straight() || run.polygon.is_some();
             let [incoming, outgoing] = runs.map(|run| run.is_some_and(leg));

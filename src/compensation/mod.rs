@@ -10,6 +10,7 @@
 mod as_arcs;
 mod assemble;
 mod avoid;
+mod beyond;
 mod corner;
 mod lead;
 mod live;

@@ -1,5 +1,7 @@
 //! What the caller may choose about compensation.
 
+use crate::contour::{Attributes, CornerWish, LeadWish};
+
 /// How an outside corner is joined.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum CornerStyle {
@@ -8,6 +10,13 @@ pub enum CornerStyle {
     Linear,
     /// By an arc about the corner: the shortest way round.
     Arc,
+    /// To where the offsets, lines run on straight and arcs on their circles, meet; by an arc about
+    /// the corner where that is sharper than 100°, or beside a spline (SINUMERIK's G451).
+    Intersection,
+    /// By a conic whose peak lies this many parts of a hundred of the way from the arc about the
+    /// corner to where the end tangents of the offsets meet; by the arc where the corner is sharper
+    /// than 100° (SINUMERIK's G450 with DISC).
+    Conic(u8),
 }
 
 /// How a spline is offset.
@@ -40,9 +49,24 @@ pub enum LeadStyle {
     /// Straight to the point beside the start of the first segment, and straight away from beside
     /// the end of the last (FANUC type A).
     Perpendicular,
+    /// Into an inside corner straight; round an outside one beside the end of the lead-in, and to the
+    /// intersection of the offsets, or along the moves that are inserted (FANUC type B). The
+    /// textbook's, which is drawn after it.
+    Intersection,
+    /// To the programmed start of the first segment itself, and from there at right angles to it; at
+    /// the end likewise (FANUC type C). The tool stands *on* the contour meanwhile.
+    ExtraMove,
     /// To the point beside the end of the lead-in itself, from where the first corner is a corner
     /// like any other; straight away from beside the end of the last segment (`LinuxCNC`).
     LinuxCnc,
+}
+
+impl LeadStyle {
+    /// Whether an outside corner between a lead and the contour is gone round as any other.
+    #[must_use]
+    pub fn goes_round(self) -> bool {
+        matches!(self, Self::Textbook | Self::Intersection)
+    }
 }
 
 /// Which turns are no corners.
@@ -129,6 +153,29 @@ impl Default for Options {
 pub const MIN_TOLERANCE: f64 = 1e-9;
 
 impl Options {
+    /// How the outside corner at the start of a segment is joined: as its program asks, or else as
+    /// is chosen here.
+    #[must_use]
+    pub fn corner_of(&self, attributes: &Attributes) -> CornerStyle {
+        match attributes.wish.corner {
+            CornerWish::AsChosen => self.corner,
+            CornerWish::Linear => CornerStyle::Linear,
+            CornerWish::Arc => CornerStyle::Arc,
+            CornerWish::Conic(disc) => CornerStyle::Conic(disc),
+            CornerWish::Intersection => CornerStyle::Intersection,
+        }
+    }
+
+    /// How a lead joins the contour.
+    #[must_use]
+    pub fn lead_of(&self, wish: LeadWish) -> LeadStyle {
+        match wish {
+            LeadWish::AsChosen => self.lead,
+            LeadWish::Perpendicular => LeadStyle::Perpendicular,
+            LeadWish::Round => LeadStyle::Textbook,
+        }
+    }
+
     /// The tolerance, at least [`MIN_TOLERANCE`].
     #[must_use]
     pub fn usable_tolerance(&self) -> f64 {

@@ -113,5 +113,6 @@ pub(super) fn between(incoming: &Attributes, outgoing: &Attributes) -> Attribute
         rapid,
         plane: outgoing.plane,
         heights: [outgoing.heights[0]; 2],
+        wish: outgoing.wish,
     }
 }

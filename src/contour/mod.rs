@@ -11,6 +11,7 @@ mod segment;
 mod tool;
 mod tool_path;
 mod transition;
+mod wish;
 
 pub use builder::{
     ARC_TOLERANCE, Built, ContourBuilder, RELATIVE_ARC_TOLERANCE, Shape, SplineShape,
@@ -23,3 +24,4 @@ pub use tool_path::{
     AuxiliaryWords, Gouge, GougeKind, Move, MoveCurve, PathLoop, Reset, Role, ToolPath, Uncut,
 };
 pub use transition::{Transition, TransitionKind};
+pub use wish::{CornerWish, LeadWish, Wish};

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::Plane;
+use super::{Plane, Wish};
 use crate::diagnostic::Origin;
 use crate::geometry::{Bounds, Curve, MIN_LENGTH};
 
@@ -21,13 +21,23 @@ pub struct Attributes {
     pub plane: Plane,
     /// Height above the plane at its start and at its end [mm].
     pub heights: [f64; 2],
+    /// What the program asks of the corner at its start, or of the lead that it is.
+    pub wish: Wish,
 }
 
 impl Attributes {
     /// A segment in the plane of x and y at height zero, without a feed.
     #[must_use]
     pub fn at(origin: Origin) -> Self {
-        Self { origin, feed: None, time: None, rapid: false, plane: Plane::Xy, heights: [0.0, 0.0] }
+        Self {
+            origin,
+            feed: None,
+            time: None,
+            rapid: false,
+            plane: Plane::Xy,
+            heights: [0.0, 0.0],
+            wish: Wish::default(),
+        }
     }
 }
 

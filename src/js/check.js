@@ -111,15 +111,11 @@ export function point(value, where) {
  * @param {unknown} value
  * @param {readonly Name[]} names
  * @param {Where} where
- * @param {readonly string[]} [later] names of a later version
  * @returns {Name}
  */
-export function oneOf(value, names, where, later = []) {
+export function oneOf(value, names, where) {
   if (names.includes(/** @type {Name} */ (value))) {
     return /** @type {Name} */ (value);
-  }
-  if (later.includes(/** @type {string} */ (value))) {
-    notSupported(where, `"${value}"`);
   }
   bad(where, `be ${names.map((name) => `"${name}"`).join(" or ")}`);
 }

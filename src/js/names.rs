@@ -36,6 +36,8 @@ pub enum CornerName {
     Linear = "linear",
     /// An arc.
     Arc = "arc",
+    /// To where the offsets meet.
+    Intersection = "intersection",
 }
 
 /// `spline` of `types.d.ts`.
@@ -56,6 +58,10 @@ pub enum LeadName {
     Textbook = "textbook",
     /// Straight to the end of the first offset.
     Perpendicular = "perpendicular",
+    /// Round the corner by vectors.
+    Intersection = "intersection",
+    /// Onto the contour, and off it at right angles.
+    ExtraMove = "extra-move",
     /// To beside the end of the lead-in.
     LinuxCnc = "linuxcnc",
 }
@@ -127,6 +133,7 @@ pub(super) fn corner_style(name: CornerName) -> Option<CornerStyle> {
     match name {
         CornerName::Linear => Some(CornerStyle::Linear),
         CornerName::Arc => Some(CornerStyle::Arc),
+        CornerName::Intersection => Some(CornerStyle::Intersection),
         CornerName::__Invalid => None,
     }
 }
@@ -136,6 +143,8 @@ pub(super) fn lead_style(name: LeadName) -> Option<LeadStyle> {
     match name {
         LeadName::Textbook => Some(LeadStyle::Textbook),
         LeadName::Perpendicular => Some(LeadStyle::Perpendicular),
+        LeadName::Intersection => Some(LeadStyle::Intersection),
+        LeadName::ExtraMove => Some(LeadStyle::ExtraMove),
         LeadName::LinuxCnc => Some(LeadStyle::LinuxCnc),
         LeadName::__Invalid => None,
     }

@@ -9,9 +9,10 @@ export const dialects = /** @type {const} */ (["auto", "linuxcnc", "fanuc", "sin
 export const profiles = /** @type {const} */ (["g41", "linuxcnc", "fanuc", "isg", "sinumerik"]);
 export const splines = /** @type {const} */ (["exact", "type-points"]);
 export const outputs = /** @type {const} */ (["cubics", "arcs"]);
-export const corners = /** @type {const} */ (["linear", "arc"]);
-export const leads = /** @type {const} */ (["textbook", "perpendicular", "linuxcnc"]);
-const laterLeads = ["intersection", "extra-move"];
+export const corners = /** @type {const} */ (["linear", "arc", "intersection"]);
+export const leads = /** @type {const} */ ([
+  ...["textbook", "perpendicular", "intersection", "extra-move", "linuxcnc"],
+]);
 export const targets = /** @type {const} */ ([
   ...["grbl", "grblhal", "linuxcnc", "smoothieware", "marlin", "fanuc-0m", "fanuc-6m"],
 ]);
@@ -170,7 +171,7 @@ function settings(options) {
     optional(options.spline, (value) => oneOf(value, splines, at("spline"))),
     optional(options.output, (value) => oneOf(value, outputs, at("output"))),
     optional(options.corner, (value) => oneOf(value, corners, at("corner"))),
-    optional(options.lead, (value) => oneOf(value, leads, at("lead"), laterLeads)),
+    optional(options.lead, (value) => oneOf(value, leads, at("lead"))),
     optional(options.tangentBand, tangentBand),
     gouge,
     ...passes(options, gouge === "avoid"),

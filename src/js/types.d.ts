@@ -368,14 +368,22 @@ export interface CompensationOptions {
    * as many. Either is within the tolerance. Default `"cubics"`.
    */
   output?: "cubics" | "arcs";
-  /** What is inserted at an outside corner: straight moves or an arc. Default `"linear"`. */
-  corner?: "linear" | "arc";
+  /**
+   * How an outside corner is joined: by straight moves, by an arc, or, as SINUMERIK's G451, at the
+   * intersection of the offsets, where lines run on straight and arcs on their circles; there by an
+   * arc where it is sharper than 100° or beside a spline. Default `"linear"`. A program's own words
+   * for corners come first: G39, G25, G26, G450 with DISC, G451, as its `profile` has them.
+   */
+  corner?: "linear" | "arc" | "intersection";
   /**
    * How compensation is switched on and off: `"textbook"` joins the lead to the contour as any
-   * corner, `"perpendicular"` goes straight to the end of the first offset, `"linuxcnc"` to beside the
-   * end of the lead-in, from where the first corner is one like any other. Default `"textbook"`.
+   * corner, `"perpendicular"` goes straight to the end of the first offset (FANUC type A),
+   * `"intersection"` round an outside corner beside the end of the lead and by the intersection of the
+   * offsets (FANUC type B, the same as the textbook's), `"extra-move"` to the contour's start itself and
+   * off it at right angles (FANUC type C), `"linuxcnc"` to beside the end of the lead-in, from where the
+   * first corner is one like any other. Default `"textbook"`.
    */
-  lead?: "textbook" | "perpendicular" | "linuxcnc";
+  lead?: "textbook" | "perpendicular" | "intersection" | "extra-move" | "linuxcnc";
   /**
    * What becomes of places where the tool does not fit. Default `"report"`.
    *

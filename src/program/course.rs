@@ -6,14 +6,13 @@
 
 use glam::DVec2;
 
-use super::items::{ContourEnd, Item, ProgrammedContour, RadiusSource};
-use super::open::{Open, builder_at, fault_of, line_of, refuse_arc};
+use super::items::{ContourEnd, ContourStart, Item, ProgrammedContour, RadiusSource};
+use super::open::{Open, fault_of, line_of, refuse_arc};
 use super::report::Report;
-use super::rules::Rules;
+use super::rules::{ControlWords, Rules};
 use super::spline_words::end_heading;
-use crate::contour::{Attributes, EventKind, Lead, Move, MoveCurve, Reset, Role, Shape, Side};
+use crate::contour::{Attributes, EventKind, Lead, MoveCurve, Reset, Shape, Side};
 use crate::diagnostic::{Diagnostic, Origin};
-use crate::geometry::{Curve, Line};
 
 /// Compensation as it is to be switched on.
 #[derive(Debug, Clone, Copy)]
@@ -28,11 +27,11 @@ pub(super) struct SwitchOn {
 /// The items of a program as they grow.
 #[derive(Debug)]
 pub(super) struct Course {
-    items: Vec<Item>,
+    pub(super) items: Vec<Item>,
     /// How many segments and events the contours among them have.
     segments: usize,
     state: State,
-    rules: Rules,
+    pub(super) rules: Rules,
     /// Compensation was switched off, and no straight move has followed yet.
     needs_a_line: bool,
     /// The control has stopped at a curve that cannot be.
@@ -83,7 +82,7 @@ impl Course {
     /// The side of the tool, while compensation is on: its lead-in made and G40 not yet read.
     pub(super) fn side(&self) -> Option<Side> {
         match &self.state {
-            State::On(open) => Some(open.switched.side),
+            State::On(open) => Some(open.switched_last().side),
             State::Off | State::Waiting(_) | State::Ending(_) => None,
         }
     }
@@ -92,7 +91,7 @@ impl Course {
     pub(super) fn switched(&self) -> Option<SwitchOn> {
         match &self.state {
             State::Waiting(switched) => Some(*switched),
-            State::On(open) => Some(open.switched),
+            State::On(open) => Some(open.switched_last()),
             State::Off | State::Ending(_) => None,
         }
     }
@@ -141,7 +140,7 @@ impl Course {
     pub(super) fn break_off(&mut self, at: DVec2, report: &mut Report) {
         match std::mem::replace(&mut self.state, State::Off) {
             State::On(open) => {
-                let switched = open.switched;
+                let switched = open.switched_last();
                 self.close(open, None, ContourEnd::Off, report);
                 self.state = State::On(Open::new(switched, at, None, self.rules));
             }
@@ -199,8 +198,14 @@ impl Course {
                 self.state = State::On(Open::new(switched, to, Some(lead_in), self.rules));
             }
             State::On(mut open) => {
-                open.builder.segment(Shape::Line { to }, attributes);
-                open.last_line = line_of(attributes.origin);
+                open.segment(Shape::Line { to }, attributes);
+                if let Some(next) = open.next.take() {
+                    // The last block of the one radius is the first of the other.
+                    self.close(open, None, ContourEnd::Tapers, report);
+                    open = Open::new(next, from, None, self.rules);
+                    open.begins = ContourStart::Tapers;
+                    open.segment(Shape::Line { to }, attributes);
+                }
                 self.state = State::On(open);
             }
             State::Ending(open) => {
@@ -253,13 +258,16 @@ impl Course {
                 }
                 let mut open = Open::new(switched, from, None, self.rules);
                 open.leads_in = leads_in;
-                open.builder.segment(shape, attributes);
-                open.last_line = line_of(origin);
+                open.segment(shape, attributes);
                 self.state = State::On(open);
             }
             State::On(mut open) => {
-                open.builder.segment(shape, attributes);
-                open.last_line = line_of(origin);
+                if let Some(next) = open.next.take() {
+                    report.push(changed("radius-changed", "the radius", next.origin, from));
+                    self.close(open, None, ContourEnd::Off, report);
+                    open = Open::new(next, from, None, self.rules);
+                }
+                open.segment(shape, attributes);
                 self.state = State::On(open);
             }
             State::Ending(open) if self.rules.any_lead => {
@@ -288,32 +296,34 @@ impl Course {
         match std::mem::replace(&mut self.state, State::Off) {
             State::Off | State::Waiting(_) => self.state = State::Waiting(switched),
             State::On(mut open) => {
+                open.next = None;
                 let before = open.switched;
                 if before.side == switched.side && before.radius == switched.radius {
                     self.state = State::On(open);
                     return;
                 }
-                let (code, what) = if before.side == switched.side {
-                    ("radius-changed", "the radius changes while compensation is on")
-                } else {
-                    ("side-changed", "the side changes while compensation is on")
-                };
-                report.push(
-                    Diagnostic::warning(code, what)
-                        .with_origin(switched.origin)
-                        .with_point(at)
-                        .with_hint(
-                            "the tool goes straight to its new place beside this point; lead out \
-                             (G40) and in again to keep it off the part",
-                        ),
-                );
+                let control = self.rules.words;
+                let same_side = before.side == switched.side;
+                if control == ControlWords::Common {
+                    let (code, what) = if same_side {
+                        ("radius-changed", "the radius")
+                    } else {
+                        ("side-changed", "the side")
+                    };
+                    report.push(changed(code, what, switched.origin, at));
+                }
                 if open.builder.is_empty() {
                     open.switched = switched;
-                    self.state = State::On(open);
+                } else if same_side && control != ControlWords::Common {
+                    open.next = Some(switched);
                 } else {
                     self.close(open, None, ContourEnd::Off, report);
-                    self.state = State::On(Open::new(switched, at, None, self.rules));
+                    open = Open::new(switched, at, None, self.rules);
+                    if control == ControlWords::Fanuc {
+                        open.begins = ContourStart::Crosses;
+                    }
                 }
+                self.state = State::On(open);
             }
             State::Ending(open) if self.rules.any_lead => {
                 self.close(open, None, ContourEnd::Off, report);
@@ -396,6 +406,7 @@ impl Course {
                     unit: open.switched.unit,
                     orientation: open.switched.orientation,
                     leads_in: open.leads_in,
+                    begins: open.begins,
                     end,
                     blocks: [line_of(open.switched.origin), last_line],
                 }));
@@ -427,65 +438,15 @@ impl Course {
             self.free_line(at, lead.point, &lead.attributes);
         }
     }
+}
 
-    fn free_line(&mut self, from: DVec2, to: DVec2, attributes: &Attributes) {
-        if let Ok(line) = Line::new(from, to) {
-            self.free(MoveCurve::Line(line), attributes);
-        }
-    }
-
-    /// The moves of one free curve, made as a contour of its own.
-    fn free_curve(
-        &mut self,
-        from: DVec2,
-        shape: Shape,
-        attributes: Attributes,
-        report: &mut Report,
-    ) {
-        let mut builder = builder_at(from, self.rules);
-        builder.segment(shape, attributes);
-        let built = builder.build(false);
-        // Why there is no segment is said by the diagnostic before.
-        report.extend(built.diagnostics.into_iter().filter(|found| found.code != "empty-contour"));
-        let Some(contour) = built.contour else { return };
-        let mut attributes = attributes;
-        if let Some(time) = attributes.time.take() {
-            let mut length = 0.0;
-            for segment in contour.segments() {
-                length += segment.curve.length();
-            }
-            let [start, end] = attributes.heights;
-            attributes.feed = Some(length.hypot(end - start) / time);
-        }
-        for segment in contour.segments() {
-            match &segment.curve {
-                Curve::Line(line) => self.free(MoveCurve::Line(*line), &attributes),
-                Curve::Arc(arc) => self.free(MoveCurve::Arc(*arc), &attributes),
-                Curve::Spline(spline) => {
-                    for cubic in spline.pieces() {
-                        self.free(MoveCurve::Cubic(*cubic), &attributes);
-                    }
-                }
-            }
-        }
-    }
-
-    fn free(&mut self, curve: MoveCurve, attributes: &Attributes) {
-        let feed = match attributes.time {
-            Some(time) => {
-                let [start, end] = attributes.heights;
-                Some(curve.length().hypot(end - start) / time)
-            }
-            None => attributes.feed,
-        };
-        self.items.push(Item::Free(Move {
-            curve,
-            role: Role::Free,
-            rapid: attributes.rapid,
-            feed,
-            plane: attributes.plane,
-            heights: attributes.heights,
-            origin: attributes.origin,
-        }));
-    }
+/// Compensation changes while it is on, where no control is known to have rules for it.
+fn changed(code: &'static str, what: &str, origin: Origin, at: DVec2) -> Diagnostic {
+    Diagnostic::warning(code, format!("{what} changes while compensation is on"))
+        .with_origin(origin)
+        .with_point(at)
+        .with_hint(
+            "the tool goes straight to its new place beside this point; lead out (G40) and in \
+             again to keep it off the part",
+        )
 }

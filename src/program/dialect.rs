@@ -18,7 +18,7 @@ pub enum Dialect {
 }
 
 /// What only one dialect has, in capitals and without space.
-const SIGNS: [(&str, Dialect); 18] = [
+const SIGNS: [(&str, Dialect); 20] = [
     ("#<", Dialect::LinuxCnc),
     ("EXISTS[", Dialect::LinuxCnc),
     ("GOTOF", Dialect::Sinumerik),
@@ -37,6 +37,8 @@ const SIGNS: [(&str, Dialect); 18] = [
     ("DISC=", Dialect::Sinumerik),
     ("CR=", Dialect::Sinumerik),
     ("G450", Dialect::Sinumerik),
+    ("G451", Dialect::Sinumerik),
+    ("KONT", Dialect::Sinumerik),
 ];
 
 impl Dialect {

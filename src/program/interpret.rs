@@ -89,6 +89,7 @@ impl Interpreter {
         let mut auxiliary = Auxiliary::new(block);
         let mut demands = self.g_words(block, &mut words, &mut auxiliary);
         self.spline_words(&mut words, &mut demands);
+        self.corner_names(block, &mut words);
         if let Some((tenths, column)) = demands.family {
             self.spline_family(block, tenths, column, &mut words, &mut demands);
         }

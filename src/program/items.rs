@@ -41,10 +41,23 @@ pub struct ProgrammedContour {
     pub orientation: u8,
     /// Whether its first segment is itself the lead-in: an arc, or all that there is.
     pub leads_in: bool,
+    /// How it begins.
+    pub begins: ContourStart,
     /// How it ends.
     pub end: ContourEnd,
     /// The line of the word that switches on, and the last line that belongs to the contour.
     pub blocks: [u32; 2],
+}
+
+/// How a programmed contour begins.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ContourStart {
+    /// With a lead-in, or where the contour before it has ended.
+    Anew,
+    /// Its first segment is the last one of the contour before it, on which the radius changes.
+    Tapers,
+    /// The tool changes its side: where its path crosses that beside the contour before it.
+    Crosses,
 }
 
 /// How a programmed contour ends.
@@ -52,6 +65,8 @@ pub struct ProgrammedContour {
 pub enum ContourEnd {
     /// Compensation is switched off, or the program ends.
     Off,
+    /// Its last segment is the first of the next contour, on which the radius changes.
+    Tapers,
     /// The control stops in the middle of it, and makes no move whose end it does not know yet.
     CutOff,
     /// It is switched off, but unless its tool has no radius the control stops at what follows.

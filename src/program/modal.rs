@@ -3,6 +3,7 @@
 use glam::DVec3;
 
 use super::coordinates::Systems;
+use super::corner_words::Wishes;
 use super::cycles::CycleNumbers;
 use super::feed::Feed;
 use super::frame::Frame;
@@ -23,6 +24,8 @@ pub(super) struct Modal {
     pub(super) motion: Option<Motion>,
     /// The plane of arcs, splines and compensation.
     pub(super) plane: Plane,
+    /// What corners and leads are to be like.
+    pub(super) wishes: Wishes,
     /// G20.
     pub(super) inches: bool,
     /// G91.
@@ -62,6 +65,7 @@ impl Modal {
         Self {
             motion: None,
             plane: Plane::Xy,
+            wishes: Wishes::default(),
             inches: false,
             relative: false,
             absolute_center: false,

@@ -39,6 +39,10 @@ impl Interpreter {
             if word.letter != 'G' {
                 continue;
             }
+            if self.corner_word(block, word, words, &mut demands) {
+                words.use_up(index);
+                continue;
+            }
             let meaning = match tenths(word).map(|number| (number, g_word(number))) {
                 Some((number, Some(meaning))) => (number, meaning),
                 _ => continue,

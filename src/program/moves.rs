@@ -68,6 +68,7 @@ impl Interpreter {
     /// What belongs to a move to `to` besides its curve.
     pub(super) fn attributes(&mut self, block: &Block, rapid: bool, to: DVec3) -> Attributes {
         let plane = self.modal.plane;
+        let wish = self.wish(block, to);
         let (feed, time) = if rapid { (None, None) } else { self.feed_of_moves(block) };
         Attributes {
             origin: block.origin(),
@@ -76,6 +77,7 @@ impl Interpreter {
             rapid,
             plane,
             heights: [plane.split(self.modal.position).1, plane.split(to).1],
+            wish,
         }
     }
 

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::course::SwitchOn;
-use super::items::{ContourEnd, Item};
+use super::items::{ContourEnd, ContourStart, Item};
 use super::rules::Rules;
 use crate::contour::{Attributes, ContourBuilder, EventKind, Lead, Shape};
 use crate::diagnostic::{Diagnostic, Origin, Severity};
@@ -12,10 +12,13 @@ use crate::diagnostic::{Diagnostic, Origin, Severity};
 #[derive(Debug)]
 pub(super) struct Open {
     pub(super) switched: SwitchOn,
+    /// Compensation from the next move on, where it has changed.
+    pub(super) next: Option<SwitchOn>,
     pub(super) builder: ContourBuilder,
     pub(super) start: DVec2,
     pub(super) lead_in: Option<Lead>,
     pub(super) leads_in: bool,
+    pub(super) begins: ContourStart,
     /// The events once more, for when no contour comes of it.
     pub(super) events: Vec<(EventKind, Origin)>,
     pub(super) last_line: u32,
@@ -34,8 +37,27 @@ impl Open {
             builder.lead_in(lead);
             last_line = line_of(lead.attributes.origin);
         }
-        let events = Vec::new();
-        Box::new(Self { switched, builder, start, lead_in, leads_in: false, events, last_line })
+        Box::new(Self {
+            switched,
+            next: None,
+            builder,
+            start,
+            lead_in,
+            leads_in: false,
+            begins: ContourStart::Anew,
+            events: Vec::new(),
+            last_line,
+        })
+    }
+
+    /// Compensation as its words have it now.
+    pub(super) fn switched_last(&self) -> SwitchOn {
+        self.next.unwrap_or(self.switched)
+    }
+
+    pub(super) fn segment(&mut self, shape: Shape, attributes: Attributes) {
+        self.builder.segment(shape, attributes);
+        self.last_line = line_of(attributes.origin);
     }
 
     /// The lead-in is all that there is of the contour.

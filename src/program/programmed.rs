@@ -1,7 +1,7 @@
 //! A program as it is programmed: its contours with the words that leave compensation to the control
 //! that will run it.
 
-use super::items::{Item, ProgrammedContour, RadiusSource};
+use super::items::{ContourEnd, Item, ProgrammedContour, RadiusSource};
 use super::number::push_word;
 use super::run::Interpretation;
 use crate::contour::{
@@ -40,7 +40,10 @@ fn contour(programmed: &ProgrammedContour, path: &mut ToolPath) {
         lead_move(path, lead, Role::LeadIn, |lead| Line::new(lead, contour.start()));
     }
     let mut events = contour.events().iter().peekable();
-    for index in 0..=contour.segments().len() {
+    // A segment on which the radius changes is told by the contour that follows.
+    let tapers = programmed.end == ContourEnd::Tapers;
+    let segments = &contour.segments()[..contour.segments().len() - usize::from(tapers)];
+    for index in 0..=segments.len() {
         while let Some(event) = events.next_if(|event| event.before <= index) {
             match &event.kind {
                 EventKind::Words(text) => words(path, text.clone(), event.origin),
@@ -54,7 +57,7 @@ fn contour(programmed: &ProgrammedContour, path: &mut ToolPath) {
                 EventKind::Stop => {}
             }
         }
-        let Some(segment) = contour.segments().get(index) else { break };
+        let Some(segment) = segments.get(index) else { break };
         match &segment.curve {
             Curve::Line(line) => {
                 push(path, MoveCurve::Line(*line), Role::Segment, &segment.attributes);
@@ -66,6 +69,9 @@ fn contour(programmed: &ProgrammedContour, path: &mut ToolPath) {
                 }
             }
         }
+    }
+    if tapers {
+        return;
     }
     words(path, String::from("G40"), off);
     if let Some(lead) = contour.lead_out() {

@@ -1,7 +1,8 @@
 //! SINUMERIK's words for splines, and the tangents of the blocks beside one.
 //!
 //! The reader gives these words small letters: `s` for ASPLINE, BSPLINE and CSPLINE, `b` and `e`
-//! for how they begin and end, `w` for PW, `l` for PL and `d` for SD.
+//! for how they begin and end, `w` for PW, `l` for PL and `d` for SD; `k` for NORM and KONT and `v`
+//! for DISC, which are no words for splines (`corner_words`).
 
 use glam::{DVec2, DVec3};
 
@@ -15,7 +16,9 @@ use crate::contour::{ARC_TOLERANCE, Shape};
 use crate::geometry::{Arc, RadiusForm, perp};
 
 /// Words without a number: their letter and the number that stands for them.
-pub(super) const NAMES: [(&str, char, f64); 9] = [
+pub(super) const NAMES: [(&str, char, f64); 11] = [
+    ("NORM", 'k', 0.0),
+    ("KONT", 'k', 1.0),
     ("ASPLINE", 's', 0.0),
     ("BSPLINE", 's', 1.0),
     ("CSPLINE", 's', 2.0),
@@ -28,7 +31,8 @@ pub(super) const NAMES: [(&str, char, f64); 9] = [
 ];
 
 /// Words with a value behind `=`, and their letters.
-pub(super) const ADDRESSES: [(&str, u8); 3] = [("PW", b'w'), ("PL", b'l'), ("SD", b'd')];
+pub(super) const ADDRESSES: [(&str, u8); 4] =
+    [("PW", b'w'), ("PL", b'l'), ("SD", b'd'), ("DISC", b'v')];
 
 impl Interpreter {
     /// The modes that the words set.

@@ -6,7 +6,7 @@ use crate::contour::{Contour, Plane, Role, Tool, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::Decimal;
 use crate::gouge::check;
-use crate::program::{ContourEnd, ProgrammedContour};
+use crate::program::{ContourEnd, ContourStart, ProgrammedContour};
 
 /// The path of a contour, and whether the control goes on after it. `orientation` is that of the
 /// tool, `origin` the block that switches on.
@@ -64,8 +64,12 @@ fn judge(path: &mut ToolPath, programmed: &ProgrammedContour, tool: Tool, option
     }
 }
 
-/// The contour without what leads in; `None` where that is all.
+/// The contour without what leads in, and without segments on which the radius changes; `None` where
+/// that is all.
 pub(super) fn part(programmed: &ProgrammedContour) -> Option<Contour> {
-    let segments = &programmed.contour.segments()[usize::from(programmed.leads_in)..];
+    let segments = programmed.contour.segments();
+    let first = programmed.leads_in || programmed.begins == ContourStart::Tapers;
+    let until = segments.len() - usize::from(programmed.end == ContourEnd::Tapers);
+    let segments = segments.get(usize::from(first)..until).unwrap_or(&[]);
     (!segments.is_empty()).then(|| Contour::of_segments(segments.to_vec(), false, [None, None]))
 }

@@ -4,7 +4,7 @@ use super::Tools;
 use super::ahead::part;
 use crate::contour::{Gouge, ToolPath};
 use crate::gouge::check;
-use crate::program::{Interpretation, Item};
+use crate::program::{ContourEnd, ContourStart, Interpretation, Item};
 
 /// Finds where `path` comes nearer than the radius − `tolerance` [mm] to the contours of a program.
 ///
@@ -28,9 +28,14 @@ pub fn check_program(
             None => break,
         };
         let Some(radius) = tools.radius_of(programmed) else { continue };
-        let moves = path.moves[first..end].to_vec();
+        // The block on which the radius changes is the path of neither radius.
+        let tapers = programmed.begins == ContourStart::Tapers && first < end;
+        let moves = path.moves[first + usize::from(tapers)..end].to_vec();
         let own = ToolPath { moves, ..ToolPath::default() };
-        if !programmed.leads_in {
+        let is_whole = !programmed.leads_in
+            && programmed.begins != ContourStart::Tapers
+            && programmed.end != ContourEnd::Tapers;
+        if is_whole {
             gouges.append(&mut check(&programmed.contour, &own, radius, tolerance));
         } else if let Some(contour) = part(programmed) {
             gouges.append(&mut check(&contour, &own, radius, tolerance));

@@ -1,7 +1,7 @@
 //! Profiles: how the control that a program is written for reads and compensates it.
 
 use crate::compensation::{CornerStyle, LeadStyle, Options, TangentBand};
-use crate::program::Rules;
+use crate::program::{ControlWords, Rules};
 
 /// Turns that `LinuxCNC` takes for none [rad] (`TOLERANCE_CONCAVE_CORNER` of its interpreter).
 const LINUXCNC_BAND: f64 = 0.05;
@@ -18,11 +18,11 @@ pub enum Profile {
     G41,
     /// `LinuxCNC`.
     LinuxCnc,
-    /// FANUC cutter compensation C.
+    /// FANUC cutter compensation C, with leads of type A.
     Fanuc,
-    /// The ISG kernel, as in Beckhoff controls.
+    /// The ISG kernel, as in Beckhoff controls, with G25 and G139.
     Isg,
-    /// SINUMERIK with G450.
+    /// SINUMERIK with G450 and NORM.
     Sinumerik,
 }
 
@@ -32,7 +32,8 @@ impl Profile {
     pub fn options(self) -> Options {
         let base = Options::default();
         match self {
-            Self::G41 | Self::Fanuc => base,
+            Self::G41 => base,
+            Self::Fanuc => Options { lead: LeadStyle::Perpendicular, ..base },
             Self::LinuxCnc => Options {
                 corner: CornerStyle::Arc,
                 lead: LeadStyle::LinuxCnc,
@@ -40,7 +41,9 @@ impl Profile {
                 ..base
             },
             Self::Isg => Options { tangent_band: TangentBand::Angle(ISG_BAND), ..base },
-            Self::Sinumerik => Options { corner: CornerStyle::Arc, ..base },
+            Self::Sinumerik => {
+                Options { corner: CornerStyle::Arc, lead: LeadStyle::Perpendicular, ..base }
+            }
         }
     }
 
@@ -52,6 +55,12 @@ impl Profile {
             any_lead: is_linuxcnc,
             is_strict: is_linuxcnc,
             spindle_tool: is_linuxcnc,
+            words: match self {
+                Self::G41 | Self::LinuxCnc => ControlWords::Common,
+                Self::Fanuc => ControlWords::Fanuc,
+                Self::Isg => ControlWords::Isg,
+                Self::Sinumerik => ControlWords::Sinumerik,
+            },
             ..Rules::default()
         }
     }

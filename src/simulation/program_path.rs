@@ -4,6 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::Tools;
 use super::ahead::with_look_ahead;
+use super::changes::{cross_over, leave_out_last, start_from};
 use crate::compensation::{GougePolicy, LeadStyle, Options, compensate_all, refuse_gouges};
 use crate::contour::{
     Attributes, AuxiliaryWords, Contour, EventKind, Lead, Move, MoveCurve, Role, Tool, ToolPath,
@@ -11,7 +12,9 @@ use crate::contour::{
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Decimal, Line, MIN_LENGTH};
 use crate::gouge::check;
-use crate::program::{Interpretation, Item, ProgrammedContour, RadiusSource};
+use crate::program::{
+    ContourEnd, ContourStart, Interpretation, Item, ProgrammedContour, RadiusSource,
+};
 
 /// The path of the tool centre through a whole program, rapid moves and words included, with
 /// what every stage found.
@@ -191,6 +194,20 @@ impl Course {
             set_feeds(&mut path, &programmed.contour);
             path
         };
+        if programmed.end == ContourEnd::Tapers
+            && let Some(last) = programmed.contour.segments().last()
+        {
+            leave_out_last(&mut compensated.moves, last.attributes.origin);
+        }
+        if let (Some(last), Some(first)) =
+            (self.path.moves.last_mut(), compensated.moves.first_mut())
+        {
+            match programmed.begins {
+                ContourStart::Anew => {}
+                ContourStart::Tapers => start_from(first, last.curve.end()),
+                ContourStart::Crosses => cross_over(last, first),
+            }
+        }
         let follows_a_contour = self.path.moves.last().is_some_and(|last| last.role != Role::Free);
         if let Some(first) = compensated.moves.first_mut()
             && let Some((at, height)) = self.elsewhere(first)

@@ -69,12 +69,13 @@ fn judge(style: LeadStyle, corner: CornerStyle, method: SplineMethod) {
                 let (a1, a2) = (beside1 + t1 * RADIUS, beside2 - t2 * RADIUS);
                 // A straight offset itself runs from V or A2; a curve starts beside its own start.
                 let mut expected = match (style, corner, kind) {
+                    (LeadStyle::ExtraMove, ..) => vec![from, CORNER, beside2],
                     (LeadStyle::Perpendicular, ..) | (_, _, 's') => vec![from, beside2],
                     (_, CornerStyle::Arc, _) => vec![from, beside1, beside2],
                     (_, _, 'e') => vec![from, beside1, v, beside2],
                     _ => vec![from, beside1, a1, a2, beside2],
                 };
-                let outside = style == LeadStyle::Textbook && kind != 's';
+                let outside = style.goes_round() && kind != 's';
                 // Type points: the moved spline starts at V where nothing is inserted.
                 let at_v = which == 2 && method == SplineMethod::TypePoints && kind == 'e';
                 if outside && corner == CornerStyle::Linear && (straight || at_v) {
@@ -128,6 +129,27 @@ fn perpendicular_leads_go_straight_beside_the_start() {
     for corner in [CornerStyle::Linear, CornerStyle::Arc] {
         judge(LeadStyle::Perpendicular, corner, SplineMethod::Exact);
     }
+}
+
+#[test]
+fn intersection_leads_go_round_outside_corners_by_both_vectors() {
+    for corner in [CornerStyle::Linear, CornerStyle::Arc] {
+        judge(LeadStyle::Intersection, corner, SplineMethod::Exact);
+    }
+}
+
+#[test]
+fn extra_moves_go_from_the_contour_to_beside_it_at_right_angles() {
+    for corner in [CornerStyle::Linear, CornerStyle::Arc] {
+        judge(LeadStyle::ExtraMove, corner, SplineMethod::Exact);
+    }
+    // Along a tangent lead too, where the other kinds have no corner.
+    let sketch = Sketch::open(p(0.0, 0.0), [line(p(20.0, 0.0))]).led(p(-10.0, 0.0), p(30.0, 0.0));
+    let options = Options { lead: LeadStyle::ExtraMove, ..Options::default() };
+    let path = sketch.compensated(Side::Left, RADIUS, &options);
+    let ends: Vec<DVec2> = path.moves.iter().map(|step| step.curve.end()).collect();
+    let expected = [p(0.0, 0.0), p(0.0, 2.0), p(20.0, 2.0), p(20.0, 0.0), p(30.0, 0.0)];
+    assert_eq!(ends, expected, "onto the contour, off it, along it and back");
 }
 
 #[test]

@@ -8,6 +8,7 @@ mod attributes;
 mod avoided;
 mod brute;
 mod closed_forms;
+mod control_corners;
 mod corners;
 mod deviation;
 mod families;

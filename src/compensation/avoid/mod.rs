@@ -87,7 +87,8 @@ const SMALLER: [f64; 2] = [0.5, 0.3];
 /// `options.spline` says. Where the tool does not fit between distant segments the path falls into
 /// several pieces, ordered by where they begin on the contour; a closed contour gives closed
 /// pieces. Outside corners are gone round by an arc where `options.corner` asks for straight moves
-/// but something else is in their way. [`ToolPath::uncut`] tells what is not reached. Nothing
+/// but something else is in their way, or for anything but those; leads go straight to where the
+/// path begins, where they do not go round a corner. [`ToolPath::uncut`] tells what is not reached. Nothing
 /// reachable gives an empty path and a diagnostic.
 #[must_use]
 pub fn avoid(contour: &Contour, tool: Tool, options: &Options) -> ToolPath {

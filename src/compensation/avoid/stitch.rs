@@ -6,11 +6,11 @@ use super::chains::Chain;
 use super::cuts::{SAME_PLACE, Stretch};
 use super::sieve::Clearance;
 use super::units::{Kind, OutsideCorner, Workpiece, corner_of};
+use crate::compensation::Options;
 use crate::compensation::corner::classify_sharply;
 use crate::compensation::path::{PathBuilder, between};
 use crate::compensation::run::part;
 use crate::compensation::transition::CornerFrame;
-use crate::compensation::{CornerStyle, Options};
 use crate::contour::{
     Attributes, Corner, CornerKind, Lead, Move, MoveCurve, Role, Tool, Transition, TransitionKind,
 };
@@ -209,7 +209,7 @@ impl Stitcher<'_> {
 
     /// The straight way round an outside corner, where that is asked for and clear.
     fn straight_round(&mut self, corner: &OutsideCorner, unit: usize) -> Option<Vec<DVec2>> {
-        if self.options.corner != CornerStyle::Linear {
+        if !corner.by_lines {
             return None;
         }
         let frame = CornerFrame::new(&corner.corner, self.tool(unit));

@@ -14,7 +14,7 @@ use crate::compensation::offset::{
     ArcOffset, Tolerances, offset_arc, offset_line, offset_span_roughly,
 };
 use crate::compensation::run::with_start;
-use crate::compensation::{LeadStyle, Options};
+use crate::compensation::{CornerStyle, Options};
 use crate::contour::{Contour, Corner, CornerKind, MoveCurve, Segment, Tool, TransitionKind};
 use crate::geometry::{Arc, Bounds, Cubic, Curve, MIN_LENGTH, direction, perp};
 
@@ -80,6 +80,8 @@ pub(super) struct OutsideCorner {
     pub(super) corner: Corner,
     pub(super) kind: TransitionKind,
     pub(super) angle: f64,
+    /// Whether straight moves are wanted round it.
+    pub(super) by_lines: bool,
 }
 
 /// All contours with their raw paths.
@@ -272,8 +274,9 @@ impl Maker<'_> {
         let ends = |segment: usize| ends(&segments[segment].curve, shortest);
         let first_unit = self.work.units.len();
         let mut unit = Unit { kind: Kind::Break, job: number, segment: 0, span: 0, pieces_end: 0 };
-        if options.lead == LeadStyle::Textbook
-            && let Some(lead) = contour.lead_in()
+        let attributes = |i: usize| &segments[i].attributes;
+        if let Some(lead) = contour.lead_in()
+            && options.lead_of(lead.attributes.wish.lead).goes_round()
             && let Some(along) = direction(contour.start() - lead.point)
         {
             let first = ends(kept[0])[0];
@@ -284,6 +287,7 @@ impl Maker<'_> {
                 incoming_curvature: 0.0,
                 outgoing_curvature: curvature(&first, 0.0),
             };
+            let corner = (corner, options.corner_of(attributes(kept[0])));
             self.corner(unit, corner, first.length(), tool, options);
         }
         for (k, &i) in kept.iter().enumerate() {
@@ -295,11 +299,13 @@ impl Maker<'_> {
             if let Some(&next) = next {
                 let first = ends(next)[0];
                 let length = last.length().min(first.length());
-                self.corner(unit, corner_of(&last, &first), length, tool, options);
-            } else if options.lead == LeadStyle::Textbook
-                && let Some(lead) = contour.lead_out()
+                let corner = (corner_of(&last, &first), options.corner_of(attributes(next)));
+                self.corner(unit, corner, length, tool, options);
+            } else if let Some(lead) = contour.lead_out()
+                && options.lead_of(lead.attributes.wish.lead).goes_round()
                 && let Some(corner) = corner_to(&last, lead.point)
             {
+                let corner = (corner, options.corner_of(attributes(i)));
                 self.corner(unit, corner, last.length(), tool, options);
             }
         }
@@ -381,7 +387,14 @@ impl Maker<'_> {
 
     /// The way round a corner behind a segment, where there is one; `length` is that of the shorter
     /// curve at it [mm].
-    fn corner(&mut self, unit: Unit, corner: Corner, length: f64, tool: Tool, options: &Options) {
+    fn corner(
+        &mut self,
+        unit: Unit,
+        (corner, style): (Corner, CornerStyle),
+        length: f64,
+        tool: Tool,
+        options: &Options,
+    ) {
         let (CornerKind::Transition { kind, angle }, depth) =
             classify_sharply(&corner, length, tool, options)
         else {
@@ -397,7 +410,8 @@ impl Maker<'_> {
         let arc = corner_arc(n1, n2, &corner, tool.offset() > 0.0);
         let path = self.pieces(arc.as_slice());
         let index = index(self.work.corners.len());
-        self.work.corners.push(OutsideCorner { corner, kind, angle });
+        let by_lines = style == CornerStyle::Linear;
+        self.work.corners.push(OutsideCorner { corner, kind, angle, by_lines });
         let sign = tool.side().sign();
         let octants = Octants::of_turn(corner.incoming, corner.outgoing, sign);
         let contour = Bounds::of([corner.point]);

@@ -13,7 +13,7 @@ use crate::compensation::corner::{Solved, solve};
 use crate::compensation::lead::{LeadSolution, lead_in, lead_out};
 use crate::compensation::run::Run;
 use crate::compensation::transition::Terminal;
-use crate::contour::{MoveCurve, Segment, TransitionKind};
+use crate::contour::{LeadWish, MoveCurve, Segment, TransitionKind};
 use crate::geometry::{Bounds, ChangedSpans};
 
 /// Spans on each side of an inside corner that are looked at first.
@@ -85,7 +85,8 @@ impl Local {
         if index == 0 {
             let section = self.section(0, 0, 1);
             let run = Run::new(&section.segment, self.tool, &self.options);
-            let LeadSolution { end, solution, .. } = lead_in(point, &run, self.tool, &self.options);
+            let LeadSolution { end, solution, .. } =
+                lead_in(point, LeadWish::AsChosen, &run, self.tool, &self.options);
             joint.before = vec![point, end];
             joint.outgoing = self.end(solution.outgoing, &section, &run);
             joint.inserted = solution.inserted;
@@ -93,7 +94,7 @@ impl Local {
             let section = self.section(index - 1, self.parts[index - 1].spans() - 1, 1);
             let run = Run::new(&section.segment, self.tool, &self.options);
             let LeadSolution { end, solution, .. } =
-                lead_out(&run, point, self.tool, &self.options);
+                lead_out(&run, point, LeadWish::AsChosen, self.tool, &self.options);
             joint.incoming = self.end(solution.incoming, &section, &run);
             joint.inserted = solution.inserted;
             joint.after = vec![end, point];

@@ -8,14 +8,28 @@ use crate::geometry::{Arc, perp};
 /// Where two arcs cross.
 #[must_use]
 pub fn arc_arc(a: &Arc, b: &Arc) -> Intersections {
+    let distance = a.center().distance(b.center());
+    if distance <= END_SLACK && (a.radius() - b.radius()).abs() <= END_SLACK {
+        return same_circle(a, b);
+    }
+    match circles(a, b) {
+        None => Intersections::Points(Vec::new()),
+        // Closer than the slack the two points are one: the circles touch.
+        Some([first, second]) if first.distance(second) <= 2.0 * END_SLACK => {
+            among(&[first.midpoint(second)], a, b)
+        }
+        Some(points) => among(&points, a, b),
+    }
+}
+
+/// The two points, which may be one, that the full circles of two arcs share.
+#[must_use]
+pub fn circles(a: &Arc, b: &Arc) -> Option<[DVec2; 2]> {
     let between = b.center() - a.center();
     let distance = between.length();
     let (ra, rb) = (a.radius(), b.radius());
-    if distance <= END_SLACK && (ra - rb).abs() <= END_SLACK {
-        return same_circle(a, b);
-    }
     if distance > ra + rb + END_SLACK || distance < (ra - rb).abs() - END_SLACK || distance == 0.0 {
-        return Intersections::Points(Vec::new());
+        return None;
     }
     let along = between / distance;
     // Distance of the radical line from a's centre (law of cosines, as a product of sums).
@@ -23,12 +37,7 @@ pub fn arc_arc(a: &Arc, b: &Arc) -> Intersections {
     let half_chord = ((ra - foot) * (ra + foot)).max(0.0).sqrt();
     let middle = a.center() + along * foot;
     let offset = perp(along) * half_chord;
-    // Closer than the slack the two points are one: the circles touch.
-    if half_chord <= END_SLACK {
-        among(&[middle], a, b)
-    } else {
-        among(&[middle - offset, middle + offset], a, b)
-    }
+    Some([middle - offset, middle + offset])
 }
 
 /// The crossings among points of both circles.

@@ -14,7 +14,7 @@ use glam::DVec2;
 
 use super::sort_short;
 
-pub use arc_arc::arc_arc;
+pub use arc_arc::{arc_arc, circles};
 pub use arc_spline::arc_cubic;
 pub use line_arc::{line_arc, line_circle};
 pub use line_line::{line_line, lines_extended};
