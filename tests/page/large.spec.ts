@@ -114,12 +114,15 @@ test("it opens with progress while the page answers, and is shown with all its l
   // The line of the move under the pointer.
   await expect.poll(() => inked(g41)).toBeGreaterThan(1000);
   const place = await g41.locator();
-  await page.mouse.move(...place([-35, 6]));
-  await page.mouse.move(...place([-35, 5]));
-  await page.waitForTimeout(300);
-  await page.mouse.click(...place([-35, 5]));
-  const marked = list.locator(".row.current.hovered");
-  await expect(marked, "its line is shown, which was far away").toHaveText(/^\d+Y[\d.]+$/);
+  const marked = list.locator(".row.current");
+  await expect(async () => {
+    await page.mouse.move(...place([-35, 6]));
+    await page.mouse.move(...place([-35, 5]));
+    await page.waitForTimeout(200);
+    await page.mouse.click(...place([-35, 5]));
+    // Its line is shown, which was far away.
+    await expect(marked).toHaveText(/^\d+Y[\d.]+$/, { timeout: 500 });
+  }).toPass({ timeout: 20_000 });
 
   const { name, text: code } = await g41.saved(page.getByRole("button", { name: /^Save / }));
   expect(name).toBe("relief.grbl.nc");

@@ -58,7 +58,10 @@ const store = new Store({
 
 const readout = find("readout");
 const drawing = new PictureClient(
-  () => stage.refresh(),
+  (first) => {
+    if (first) store.set({ work: undefined });
+    stage.refresh();
+  },
   (line) => {
     if (store.state.result?.long && line !== store.state.hover) store.set({ hover: line });
   },
@@ -78,12 +81,13 @@ function take(result: Result, strokes: readonly Strokes[]): void {
   files.take(result.long?.file);
   // A very long program is shown as a whole or not at all.
   if (result.long?.file !== store.document.file) return;
-  store.set({ work: undefined });
   if (result.long) {
+    // Its work ends with the first picture of it.
     drawing.load(strokes, result.box ?? { min: [0, 0], max: [1, 1] });
     store.set({ result, failure: undefined, corner: undefined, live: undefined, hover: undefined });
     return;
   }
+  if (store.state.work) store.set({ work: undefined });
   drawing.clear();
   if (store.document.text === result.text && store.document.partText !== result.text) {
     store.amend({ part: partOf(result.text, result.contours), partText: result.text });

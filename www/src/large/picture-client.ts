@@ -25,12 +25,12 @@ export class PictureClient {
   #underWay = false;
   #seeking = false;
   #sought: { at: Point; within: number } | undefined;
-  #onDrawn: () => void;
+  #onDrawn: (first: boolean) => void;
   #onFound: (line: number | undefined) => void;
   #onTraced: (traced: TracedLine) => void;
 
   constructor(
-    onDrawn: () => void,
+    onDrawn: (first: boolean) => void,
     onFound: (line: number | undefined) => void,
     onTraced: (traced: TracedLine) => void,
   ) {
@@ -123,13 +123,15 @@ export class PictureClient {
     // Of a drawing that is gone.
     if (answer.id !== this.#id) return;
     switch (answer.kind) {
-      case "drawn":
+      case "drawn": {
+        const first = !this.#drawn;
         this.#drawn?.bitmap.close();
         this.#drawn = answer;
         this.#underWay = false;
         this.#next();
-        this.#onDrawn();
+        this.#onDrawn(first);
         break;
+      }
       case "found":
         this.#seeking = false;
         this.#seekNext();
