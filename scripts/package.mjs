@@ -12,6 +12,7 @@ import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 
 import { root, run, script } from "./command.mjs";
+import { namedInOrder } from "./order.mjs";
 import { locked, wasmTarget, xtask } from "./setup.mjs";
 import { unlessFresh } from "./stamp.mjs";
 
@@ -46,6 +47,12 @@ const optimizations = [
   "--skip-pass=local-cse",
 ];
 
+// As -Oz writes a module, but for its passes.
+const layout = [
+  ...["--reorder-functions-by-name", "--optimize-level=2", "--shrink-level=2"],
+  "--optimize-stack-ir",
+];
+
 /** Builds `dist/` and returns whether the wasm fits, and its gzipped size for people to read. */
 export async function buildPackage() {
   await run("cargo", [
@@ -56,7 +63,9 @@ export async function buildPackage() {
     compiled,
     "src/js",
     "scripts/package.mjs",
+    "scripts/order.mjs",
     "scripts/trim.mjs",
+    "scripts/wasm.mjs",
     "package-lock.json",
   ];
   await unlessFresh("target/package.stamp", { inputs, outputs: [shipped] }, assemble);
@@ -82,10 +91,9 @@ async function assemble() {
   // It needs an npm package, which a fresh clone does not have before its setup.
   const { withoutPanicMessages } = await import("./trim.mjs");
   writeFileSync(wasm, withoutPanicMessages(readFileSync(wasm)));
-  await run(process.execPath, [
-    ...[script("binaryen", "wasm-opt"), ...optimizations, wasm, "--output", wasm],
-    ...wasmFeatures.map((feature) => `--enable-${feature}`),
-  ]);
+  await optimize(wasm, optimizations);
+  writeFileSync(wasm, namedInOrder(readFileSync(wasm)));
+  await optimize(wasm, layout);
   const base64 = readFileSync(wasm).toString("base64");
   writeFileSync(join(fresh, "g41_base64.js"), `export default "${base64}";\n`);
   writeFileSync(
@@ -105,6 +113,13 @@ async function assemble() {
   // Put in place at once, so that a failed build leaves the last good one.
   rmSync(join(root, "dist"), { recursive: true, force: true });
   renameSync(fresh, join(root, "dist"));
+}
+
+async function optimize(wasm, passes) {
+  await run(process.execPath, [
+    ...[script("binaryen", "wasm-opt"), ...passes, wasm, "--output", wasm],
+    ...wasmFeatures.map((feature) => `--enable-${feature}`),
+  ]);
 }
 
 function measure() {

@@ -6,6 +6,8 @@
 // name are blanked, so that no bytes are shipped for them.
 import binaryen from "binaryen";
 
+import { section } from "./wasm.mjs";
+
 /** Functions that begin or word a panic; none of them returns. */
 const panics = [
   /\bcore(\[\w+\])?::panicking::/,
@@ -72,38 +74,18 @@ function fileName(bytes, segments, address, length) {
 /** The data of a module: the address in memory of each segment, and its bytes in the file. */
 function dataSegments(bytes) {
   const segments = [];
-  let at = 8;
-  const number = () => {
-    let value = 0;
-    for (let shift = 0; ; shift += 7) {
-      const byte = bytes[at];
-      at += 1;
-      value += (byte & 127) * 2 ** shift;
-      if (byte < 128) {
-        return value;
-      }
+  const data = section(bytes, 11);
+  for (let left = data ? data.number() : 0; left > 0; left -= 1) {
+    // Active ones alone have an address: 0, i32.const, the address, end.
+    if (data.number() !== 0) {
+      throw new Error("a data segment is not placed by a constant");
     }
-  };
-  while (at < bytes.length) {
-    const section = bytes[at];
-    at += 1;
-    const size = number();
-    const end = at + size;
-    if (section === 11) {
-      for (let left = number(); left > 0; left -= 1) {
-        // Active ones alone have an address: 0, i32.const, the address, end.
-        if (number() !== 0) {
-          throw new Error("a data segment is not placed by a constant");
-        }
-        at += 1;
-        const address = number();
-        at += 1;
-        const length = number();
-        segments.push({ address, from: at, to: at + length });
-        at += length;
-      }
-    }
-    at = end;
+    data.byte();
+    const address = data.number();
+    data.byte();
+    const length = data.number();
+    segments.push({ address, from: data.at, to: data.at + length });
+    data.take(length);
   }
   return segments;
 }

@@ -250,7 +250,7 @@ impl Watch<'_> {
         if local && path.gouges.iter().any(known) {
             return;
         }
-        let [mover, into] = [cut.from, cut.into].map(|unit| self.origin(unit));
+        let (mover, into) = (self.origin(cut.from), self.origin(cut.into));
         let kind = if local { GougeKind::Curvature } else { GougeKind::Bottleneck };
         report::too_near(path, kind, cut.at, cut.depth, [mover, into]);
     }
@@ -294,7 +294,7 @@ fn approach(a: &MoveCurve, b: &MoveCurve) -> (f64, DVec2) {
     if let Some(crossing) = meet(a, b).points().first() {
         return (0.0, crossing.point);
     }
-    let landmarks = |curve: &MoveCurve| [0.0, 0.5, 1.0].map(|t| curve.point(t));
+    let landmarks = |curve: &MoveCurve| [curve.point(0.0), curve.point(0.5), curve.point(1.0)];
     let mut best = (f64::INFINITY, b.start());
     for point in landmarks(b) {
         let distance = a.nearest(point).distance;

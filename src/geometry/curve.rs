@@ -74,11 +74,11 @@ impl fmt::Display for CurveError {
             ),
             Self::ZeroLength => write!(f, "start and end coincide"),
             Self::RadiiDisagree { start, end } => {
-                let [start, end] = [start, end].map(|&radius| Decimal::new(radius, 6));
+                let (start, end) = (Decimal::new(*start, 6), Decimal::new(*end, 6));
                 write!(f, "the arc's start is {start} mm from its centre, its end {end} mm")
             }
             Self::RadiusTooSmall { radius, least } => {
-                let [radius, least] = [radius, least].map(|&radius| Decimal::new(radius, 6));
+                let (radius, least) = (Decimal::new(*radius, 6), Decimal::new(*least, 6));
                 write!(
                     f,
                     "the arc's radius {radius} mm is less than half the distance of its ends, {least} mm"

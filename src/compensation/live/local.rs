@@ -62,7 +62,8 @@ impl Local {
         [path, outline]: [&mut Slots; 2],
     ) -> Self {
         let finest = finest_tolerance(contour, tool);
-        let leads = [contour.lead_in(), contour.lead_out()].map(|lead| lead.map(|l| l.point));
+        let [lead_in, lead_out] = [contour.lead_in(), contour.lead_out()];
+        let leads = [lead_in.map(|l| l.point), lead_out.map(|l| l.point)];
         let parts: Vec<Part> = contour.segments().iter().cloned().map(Part::new).collect();
         let mut local = Self {
             tool: if tool.radius() < finest { tool.without_radius() } else { tool },

@@ -81,7 +81,11 @@ impl Terms {
                 d1.dot(d2),
                 d2.dot(d2),
             ],
-            bend: [2.0 * cross(d0, d1), cross(d0, d2), 2.0 * cross(d1, d2)].map(|b| offset * b),
+            bend: [
+                offset * (2.0 * cross(d0, d1)),
+                offset * cross(d0, d2),
+                offset * (2.0 * cross(d1, d2)),
+            ],
         }
     }
 
@@ -110,16 +114,16 @@ impl Terms {
     fn sign(&self) -> Sign {
         let (slowest, fastest) = range(&self.speed_squared);
         let (least, most) = range(&self.bend);
-        // Speed cubed, from its square.
-        let cubed = |squared: f64| squared * squared.sqrt();
-        let (slowest, fastest) = (cubed(slowest.max(0.0)), cubed(fastest));
+        let (slow, fast) = (slowest.max(0.0).sqrt(), fastest.sqrt());
+        // Speed cubed.
+        let (slowest, fastest) = (slowest.max(0.0) * slow, fastest * fast);
         if slowest > most {
             Sign::Positive
         } else if fastest < least {
             Sign::Negative
         } else if (fastest - least).max(most - slowest) < STILL * slowest {
             Sign::Still
-        } else if self.is_monotone(slowest.cbrt(), fastest.cbrt()) {
+        } else if self.is_monotone(slow, fast) {
             Sign::Monotone
         } else {
             Sign::Unknown

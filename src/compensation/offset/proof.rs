@@ -112,13 +112,15 @@ impl Speed {
     /// Least and largest `factor C' × C''`.
     fn bend(&self, factor: f64) -> [f64; 2] {
         let [v0, v1, v2] = self.hodograph;
-        range(&[2.0 * cross(v0, v1), cross(v0, v2), 2.0 * cross(v1, v2)].map(|b| factor * b))
+        let (b0, b2) = (2.0 * cross(v0, v1), 2.0 * cross(v1, v2));
+        range(&[factor * b0, factor * cross(v0, v2), factor * b2])
     }
 
     /// Least and largest `factor κ`; of a curve that nowhere stands still.
     fn curvature(&self, factor: f64) -> [f64; 2] {
         let [least, most] = self.bend(factor);
-        let [slow, fast] = self.squared.map(|squared| squared * squared.sqrt());
+        let [slow, fast] = self.squared;
+        let (slow, fast) = (slow * slow.sqrt(), fast * fast.sqrt());
         [least / if least > 0.0 { fast } else { slow }, most / if most > 0.0 { slow } else { fast }]
     }
 }
@@ -199,7 +201,8 @@ impl<'a> Comparison<'a> {
         }
         let (mut before, mut bound) = (0.0, 0.0_f64);
         for k in 1..=parts {
-            let [from, to] = [k - 1, k].map(|k| f64::from(k) / f64::from(parts));
+            let part = |k: u32| f64::from(k) / f64::from(parts);
+            let (from, to) = (part(k - 1), part(k));
             // Not `clamp`: what it says of wrong bounds brings all printing of numbers into the wasm.
             let next = if k == parts { 1.0 } else { self.foot(to).max(before).min(1.0) };
             let (curve, piece) = (self.curve.part(before, next), self.piece.part(from, to));
@@ -252,7 +255,8 @@ impl<'a> Comparison<'a> {
         let feet = [(height - slip_squared.sqrt()).max(0.0), reach];
         let sums = [height + r, reach + r];
         let cosine = (around.least_product() / around.squared[1]).powi(2).min(1.0);
-        let bounds = [0, 1].map(|i| curvature[i] / (1.0 - curvature[i] * feet[i]));
+        let bound = |i: usize| curvature[i] / (1.0 - curvature[i] * feet[i]);
+        let bounds = [bound(0), bound(1)];
         let low = bounds[0] * if bounds[0] > 0.0 { cosine } else { 1.0 };
         let high = bounds[1] * if bounds[1] > 0.0 { 1.0 } else { cosine };
         let low = 1.0 + 0.5 * low * sums[usize::from(low < 0.0)];
@@ -272,7 +276,8 @@ impl<'a> Comparison<'a> {
 
     /// What rounding may make of a distance [mm].
     pub(super) fn rounding(&self) -> f64 {
-        let [start, end] = [self.curve.start(), self.curve.end()].map(|p| p.abs().max_element());
+        let start = self.curve.start().abs().max_element();
+        let end = self.curve.end().abs().max_element();
         let r = self.offset.abs();
         // Rounded control vectors turn the normal.
         let turned = self.speed.rounding / self.speed.squared[0].sqrt();

@@ -264,7 +264,8 @@ fn fit(source: &Source, range: [f64; 2], ends: [End; 2], effort: Effort, emit: &
     }
     let [left, right] = source.halves();
     let at = 0.5 * (range[0] + range[1]);
-    let [start, middle, end] = [ends[0], source.end(0.5), ends[1]].map(End::of_half);
+    let middle = source.end(0.5).of_half();
+    let (start, end) = (ends[0].of_half(), ends[1].of_half());
     let effort = Effort { depth: effort.depth + 1, ..effort };
     fit(&left, [range[0], at], [start, middle], effort, emit);
     fit(&right, [at, range[1]], [middle, end], effort, emit);

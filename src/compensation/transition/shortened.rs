@@ -49,7 +49,7 @@ pub(in crate::compensation) fn shortened(
     // Near a reversal the end tangents of two inside offsets meet beyond all coordinates.
     if incoming.straight && outgoing.straight && in_range(v) {
         construction.push(("V", v));
-        let on = [incoming, outgoing].map(|flank| on_line(flank.pieces, v));
+        let on = [on_line(incoming.pieces, v), on_line(outgoing.pieces, v)];
         // Off both, V may be anywhere: near a reversal, metres away.
         if on[0] || on[1] {
             let solution = Solution {
