@@ -103,7 +103,8 @@ impl Passing {
                     out.words(&line);
                     line.clear();
                     let motion = if tenths(value) == 0 { '0' } else { '1' };
-                    let axes = ['X', 'Y', 'Z'].map(|axis| find(parameters, axis));
+                    let axis = |letter| find(parameters, letter);
+                    let axes = [axis('X'), axis('Y'), axis('Z')];
                     out.state(motion, axes, find(parameters, 'F'));
                 }
                 'G' => self.g_word(&mut line, value, parameters, out, origin),
@@ -311,16 +312,21 @@ fn tokens(text: &str) -> Vec<Token<'_>> {
     let mut tokens = Vec::new();
     let mut rest = text.trim_start();
     while let Some(letter) = rest.chars().next() {
-        let is_number = |c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | '.');
-        let end = match letter {
-            ';' => rest.len(),
-            '(' => rest.find(')').map_or(rest.len(), |end| end + 1),
-            _ => {
-                let after = letter.len_utf8();
-                rest[after..].find(|c| !is_number(c)).map_or(rest.len(), |end| after + end)
+        let is_number = |c: u8| c.is_ascii_digit() || matches!(c, b'+' | b'-' | b'.');
+        // Bytes, since slices of text bring the wording of their panics into the wasm.
+        let mut end = letter.len_utf8();
+        for &byte in rest.as_bytes().get(end..).unwrap_or_default() {
+            let ends = match letter {
+                ';' => false,
+                '(' => byte == b')',
+                _ => !is_number(byte),
+            };
+            end += usize::from(!ends || letter == '(');
+            if ends {
+                break;
             }
-        };
-        let (token, tail) = rest.split_at(end);
+        }
+        let (token, tail) = rest.split_at_checked(end).unwrap_or((rest, ""));
         if matches!(letter, ';' | '(') {
             tokens.push(Token::Comment(token));
         } else if let Some(value) = token.get(1..).and_then(parse_decimal) {
@@ -348,7 +354,8 @@ fn push_command(
     if !line.is_empty() {
         line.push(' ');
     }
-    if LENGTHS.contains(letter) {
+    // Not `contains`, which searches for other letters as for a text, by the code of a long search.
+    if LENGTHS.chars().any(|length| length == letter) {
         push_length(line, letter, out.units(value), out.facts);
     } else {
         push_word(line, letter, value);

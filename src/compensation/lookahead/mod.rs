@@ -371,7 +371,8 @@ impl<'a> Control<'a> {
         last: (&'static str, DVec2),
         attributes: &Attributes,
     ) {
-        let angle = (PI - away).rem_euclid(TAU);
+        let angle = PI - away;
+        let angle = if angle < 0.0 { angle + TAU } else { angle };
         self.queue.path.transitions.push(Transition {
             kind,
             angle,
