@@ -133,7 +133,7 @@ impl Stretch<'_> {
     /// Whether the stretch is proved to be within `tolerance` [mm] of the piece, and the piece of it:
     /// every part of a cubic follows the piece, and they do not go round it once more.
     fn follows(&self, piece: &ArcOrLine, tolerance: f64) -> bool {
-        let [off, mut turning] = SHARES.map(|share| share * tolerance);
+        let (off, mut turning) = (SHARES[0] * tolerance, SHARES[1] * tolerance);
         let (mut at, mut length) = (self.from, 0.0);
         while at < self.to {
             let (cubic, t) = self.locate(at);

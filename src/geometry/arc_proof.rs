@@ -9,7 +9,7 @@
 
 use glam::DVec2;
 
-use super::{Arc, ArcOrLine, Cubic, cross};
+use super::{Arc, ArcOrLine, Cubic, cross, relative_to};
 
 /// Halvings of a cubic until a proof that is not found is given up: bounds that are a quarter too
 /// wide each time are then sharp to a percent.
@@ -65,7 +65,7 @@ fn is_proved(
 
 /// The conditions for an arc, on the coefficients as they are.
 fn is_round(cubic: &Cubic, arc: &Arc, tolerance: f64) -> bool {
-    let p = cubic.points.map(|point| point - arc.center());
+    let p = relative_to(arc.center(), cubic.points);
     let v = cubic.hodograph();
     let side = if arc.is_clockwise() { -1.0 } else { 1.0 };
     let weights = [1.0, 3.0, 3.0, 1.0];

@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use super::{Bounds, Nearest, bernstein, cross, length::arc_length};
+use super::{Bounds, Nearest, bernstein, cross, length::arc_length, relative_to};
 
 /// A cubic Bézier curve: one span of a spline, or one piece of its offset.
 ///
@@ -81,7 +81,8 @@ impl Cubic {
     pub fn tangent(&self, t: f64) -> DVec2 {
         let first = self.derivative(t);
         // 1e-9 of the control polygon: below it the direction is made of rounding.
-        if first.length() > 1e-9 * self.hull_length() {
+        let least = 1e-9 * self.hull_length();
+        if first.length() > least {
             return first.normalize();
         }
         let [p0, p1, p2, p3] = self.points;
@@ -89,15 +90,12 @@ impl Cubic {
             let rest = [p1, p2, p3];
             let here = self.point(t);
             if t == 0.0 {
-                rest.into_iter().map(|p| p - here).find(|v| v.length() > 1e-9 * self.hull_length())
+                rest.into_iter().find(|p| p.distance(here) > least).map(|p| p - here)
             } else {
                 Some(self.second_derivative(t))
             }
         } else {
-            [p2, p1, p0]
-                .into_iter()
-                .map(|p| p3 - p)
-                .find(|v| v.length() > 1e-9 * self.hull_length())
+            [p2, p1, p0].into_iter().find(|p| p.distance(p3) > least).map(|p| p3 - p)
         };
         ahead.and_then(DVec2::try_normalize).unwrap_or(DVec2::X)
     }
@@ -174,7 +172,7 @@ impl Cubic {
     /// polynomial of degree 5, or an end.
     #[must_use]
     pub fn nearest(&self, point: DVec2) -> Nearest {
-        let c = self.points.map(|p| p - point);
+        let c = relative_to(point, self.points);
         let d = self.hodograph();
         // Product of Bernstein forms of degree 3 and 2: weights C(3,i) C(2,j) / C(5,i+j).
         let mut product = [0.0; 6];

@@ -16,8 +16,8 @@ pub fn least(
     value: &mut dyn FnMut(f64) -> f64,
 ) -> f64 {
     let (mut left, mut right) = (to - KEEP * (to - from), from + KEEP * (to - from));
-    let [mut at_from, mut at_left, mut at_right, mut at_to] =
-        [from, left, right, to].map(&mut *value);
+    let (mut at_from, mut at_left) = (value(from), value(left));
+    let (mut at_right, mut at_to) = (value(right), value(to));
     for _ in 0..steps {
         if at_from.max(at_to) - at_left.min(at_right) < enough {
             break;

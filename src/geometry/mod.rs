@@ -45,4 +45,4 @@ pub use sine::sin_cos;
 pub use sort::{select, sort_long, sort_short};
 pub use spline::{EndCondition, Parameter, Spline, SplineEnds};
 pub use spline_edit::{ChangedSpans, Least, SplineEdit};
-pub use vector::{cross, direction, perp, rotate, turn};
+pub use vector::{cross, direction, perp, relative_to, rotate, turn};

@@ -31,6 +31,12 @@ pub fn rotate(v: DVec2, angle: f64) -> DVec2 {
     DVec2::new(cos * v.x - sin * v.y, sin * v.x + cos * v.y)
 }
 
+/// The control points of a cubic as seen from `origin`.
+#[must_use]
+pub fn relative_to(origin: DVec2, [a, b, c, d]: [DVec2; 4]) -> [DVec2; 4] {
+    [a - origin, b - origin, c - origin, d - origin]
+}
+
 /// The unit vector along `v`, or `None` where `v` is too short to have a direction.
 #[must_use]
 pub fn direction(v: DVec2) -> Option<DVec2> {

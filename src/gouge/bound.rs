@@ -7,7 +7,7 @@ use glam::DVec2;
 use super::exact::approach;
 use super::part::Part;
 use crate::contour::MoveCurve;
-use crate::geometry::{Arc, Cubic, cross};
+use crate::geometry::{Arc, Cubic, cross, relative_to};
 
 /// Newton steps to the foot of a point, from a guess on the chord; the bound holds whatever is left.
 const FOOT_STEPS: usize = 4;
@@ -62,7 +62,7 @@ fn disc_bound(arc: &Arc, part: &Part) -> f64 {
 /// Whether all points are outside an arc's sector, by more than `-slack` [mm].
 fn is_outside(arc: &Arc, points: &[DVec2], slack: f64) -> bool {
     let sense = arc.sweep().signum() / arc.radius();
-    let [first, last] = [arc.start(), arc.end()].map(|end| end - arc.center());
+    let (first, last) = (arc.start() - arc.center(), arc.end() - arc.center());
     let before = |p: &DVec2| cross(first, *p - arc.center()) * sense <= slack;
     let after = |p: &DVec2| cross(*p - arc.center(), last) * sense <= slack;
     let (all_before, all_after) = (points.iter().all(before), points.iter().all(after));
@@ -75,7 +75,7 @@ fn is_outside(arc: &Arc, points: &[DVec2], slack: f64) -> bool {
 fn arc_bound(arc: &Arc, cubic: &[DVec2; 4], enough: f64, slack: f64) -> f64 {
     let mut least = f64::INFINITY;
     for end in [arc.start(), arc.end()] {
-        let mut distance = range(&cubic.map(|p| p - end))[0].max(0.0).sqrt();
+        let mut distance = range(&relative_to(end, *cubic))[0].max(0.0).sqrt();
         if distance < enough {
             distance = distance.max(follow_bound(&[end; 4], cubic));
         }
@@ -88,7 +88,8 @@ fn arc_bound(arc: &Arc, cubic: &[DVec2; 4], enough: f64, slack: f64) -> f64 {
     if is_outside(arc, cubic, slack) {
         return least;
     }
-    let [low, high] = range(&cubic.map(|p| p - arc.center())).map(|square| square.max(0.0).sqrt());
+    let [low, high] = range(&relative_to(arc.center(), *cubic));
+    let (low, high) = (low.max(0.0).sqrt(), high.max(0.0).sqrt());
     least.min((arc.radius() - high).max(low - arc.radius()))
 }
 
@@ -124,7 +125,7 @@ fn range(d: &[DVec2; 4]) -> [f64; 2] {
 /// B for their foot only an e that leads into B counts.
 fn follow_bound(a: &[DVec2; 4], b: &[DVec2; 4]) -> f64 {
     let origin = b[0];
-    let (a, b) = (a.map(|p| p - origin), b.map(|p| p - origin));
+    let (a, b) = (relative_to(origin, *a), relative_to(origin, *b));
     let cubic = Cubic { points: b };
     let [d0, d1, d2] = cubic.hodograph();
     let [e0, e1] = [2.0 * (d1 - d0), 2.0 * (d2 - d1)];
@@ -155,9 +156,12 @@ fn follow_bound(a: &[DVec2; 4], b: &[DVec2; 4]) -> f64 {
         let is_end = from.min(to) < NEARLY_ONE_FOOT || from.max(to) > 1.0 - NEARLY_ONE_FOOT;
         let u = if is_end { end } else { from };
         let (at, along) = (cubic.point(u), cubic.derivative(u));
-        let away = a.map(|p| p - at);
-        let slopes = away.map(|d| d.dot(along));
-        let [low, high] = slopes.into_iter().fold([0.0_f64; 2], |[l, h], s| [l.min(s), h.max(s)]);
+        let away = relative_to(at, a);
+        let (mut low, mut high) = (0.0_f64, 0.0_f64);
+        for d in away {
+            let slope = d.dot(along);
+            (low, high) = (low.min(slope), high.max(slope));
+        }
         let low = if u == 0.0 { 0.0 } else { -low };
         let high = if u == 1.0 { 0.0 } else { high };
         best = bound(range(&away)[0], low.max(high));

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use crate::contour::MoveCurve;
-use crate::geometry::cross;
+use crate::geometry::{cross, relative_to};
 
 /// A curve or a part of one.
 #[derive(Debug, Clone, Copy)]
@@ -96,14 +96,18 @@ impl Part {
             MoveCurve::Arc(arc) if arc.sweep().abs() > std::f64::consts::FRAC_PI_2 => {
                 arc.center().distance(point) + arc.radius()
             }
-            _ => self.hull().map(|p| p.distance(point)).into_iter().fold(0.0, f64::max),
+            _ => {
+                let [a, b, c, d] = relative_to(point, self.hull());
+                a.length().max(b.length()).max(c.length()).max(d.length())
+            }
         }
     }
 
     /// The least distance that its chord and that of another leave them [mm]; not for arcs, which
     /// are closer to a circle.
     pub(super) fn chord_bound(&self, other: &Self) -> f64 {
-        let [a, b] = [&self.curve, &other.curve].map(|curve| [curve.start(), curve.end()]);
+        let a = [self.curve.start(), self.curve.end()];
+        let b = [other.curve.start(), other.curve.end()];
         segment_distance(a, b) - self.sagitta - other.sagitta
     }
 }

@@ -186,7 +186,11 @@ impl Reader<'_> {
 
     fn points(&mut self) -> Result<Vec<DVec2>, BadArgument> {
         let count = self.count()?;
-        (0..count).map(|_| self.point()).collect()
+        let mut points = Vec::with_capacity(count);
+        for _ in 0..count {
+            points.push(self.point()?);
+        }
+        Ok(points)
     }
 
     /// A count of points that are there.

@@ -133,8 +133,7 @@ impl LiveHandle {
         let changed = self.live.update();
         let (points, starts) = (self.live.path_points(), self.live.path_starts());
         let outline = self.live.outline_points();
-        let place = |at: usize| u32::try_from(at).unwrap_or(u32::MAX);
-        [
+        let places = [
             points.as_ptr() as usize,
             points.len() / 2,
             starts.as_ptr() as usize,
@@ -145,9 +144,12 @@ impl LiveHandle {
             outline.len() / 2,
             changed.outline.start,
             changed.outline.end,
-        ]
-        .map(place)
-        .to_vec()
+        ];
+        let mut list = Vec::with_capacity(places.len());
+        for place in places {
+            list.push(u32::try_from(place).unwrap_or(u32::MAX));
+        }
+        list
     }
 
     /// The tool path of the contour as it is now, computed afresh.

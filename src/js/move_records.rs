@@ -54,10 +54,9 @@ fn record(step: &Move, numbering: &Numbering) -> [f64; STRIDE] {
         Plane::Yz => 2.0,
     };
     let feed = feed.map_or(NONE, per_minute);
+    let place = |number: Option<u32>| number.map_or(NONE, f64::from);
     let [block, number, column] = match *origin {
-        Origin::Block { line, number, column } => {
-            [Some(line), number, column].map(|value| value.map_or(NONE, f64::from))
-        }
+        Origin::Block { line, number, column } => [f64::from(line), place(number), place(column)],
         Origin::Segment(_) => [NONE; 3],
     };
     let place = numbering.place_of(*origin);

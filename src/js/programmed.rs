@@ -27,7 +27,7 @@ pub fn contours_json<'a>(contours: impl IntoIterator<Item = &'a ProgrammedContou
         if let Some(lead) = contour.lead_out() {
             object.point("leadOut", lead.point);
         }
-        object.numbers("blocks", blocks.map(f64::from));
+        object.numbers("blocks", [f64::from(blocks[0]), f64::from(blocks[1])]);
     })
 }
 

@@ -78,8 +78,13 @@ impl ToolPathHandle {
     /// The outlines of `uncut`, one after the other: `x0, y0, x1, y1, …`.
     #[must_use]
     pub fn outlines(&self) -> Vec<f64> {
-        let outlines = self.path.uncut.iter().flat_map(|region| &region.outline);
-        outlines.flat_map(glam::DVec2::to_array).collect()
+        let mut outlines = Vec::new();
+        for region in &self.path.uncut {
+            for vertex in &region.outline {
+                outlines.extend_from_slice(&vertex.to_array());
+            }
+        }
+        outlines
     }
 
     /// `polylines` within `tolerance` [mm].

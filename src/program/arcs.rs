@@ -68,7 +68,8 @@ impl Interpreter {
         let total = TAU * f64::from(turns - 1) + arc.sweep().abs();
         let circle = Shape::Arc { to: from, center: arc.center(), clockwise: arc.is_clockwise() };
         for turn in 0..turns {
-            let run = [turn, turn + 1].map(|turn| (TAU * f64::from(turn) / total).min(1.0));
+            let run = |turn: u32| (TAU * f64::from(turn) / total).min(1.0);
+            let run = [run(turn), run(turn + 1)];
             let [before, after] = run.map(|run| start + (end - start) * run);
             let time = attributes.time.map(|time| time * (run[1] - run[0]));
             let last = turn + 1 == turns;

@@ -108,7 +108,7 @@ impl Interpreter {
         axes: &mut Axes<'a>,
         to: &mut DVec3,
     ) {
-        let [radius, turned] = ['@', '^'].map(|letter| words.take(letter));
+        let (radius, turned) = (words.take('@'), words.take('^'));
         let Some(word) = radius.or(turned) else { return };
         let at = to.truncate();
         if axes.words[0].or(axes.words[1]).is_some() {

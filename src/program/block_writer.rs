@@ -204,7 +204,7 @@ impl BlockWriter {
 
     /// A move in a plane says both of the plane's coordinates where they could be anything.
     fn straight(&mut self, motion: char, to: [i64; 3], plane: Plane) {
-        let mut says = [0, 1, 2].map(|i| self.at[i] != to[i]);
+        let mut says = [self.at[0] != to[0], self.at[1] != to[1], self.at[2] != to[2]];
         let [first, second, _] = plane.axes();
         if says[first] || says[second] || motion == '0' && self.at == to {
             says[first] |= !self.known[first];
@@ -219,7 +219,7 @@ impl BlockWriter {
     /// along the plane's axes; a full circle where `to` is where the control is.
     pub(super) fn arc(&mut self, clockwise: bool, plane: Plane, to: [i64; 3], center: [i64; 2]) {
         let motion = if clockwise { '2' } else { '3' };
-        let mut says = [0, 1, 2].map(|i| self.at[i] != to[i]);
+        let mut says = [self.at[0] != to[0], self.at[1] != to[1], self.at[2] != to[2]];
         let [first, second, _] = plane.axes();
         let full = !says[first] && !says[second];
         says[first] |= full || !self.known[first];

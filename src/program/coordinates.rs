@@ -82,10 +82,12 @@ impl Interpreter {
             }
             Act::OriginOn => {
                 let kept = self.modal.systems.shift[1];
-                let added = [0, 1, 2].map(|i| {
-                    let [shift, kept] = [self.modal.systems.shift[0][i], kept[i]];
-                    shift.zip(kept).map(|(shift, kept)| shift - kept)
-                });
+                let mut added = [None; 3];
+                for i in 0..3 {
+                    if let (Some(shift), Some(kept)) = (self.modal.systems.shift[0][i], kept[i]) {
+                        added[i] = Some(shift - kept);
+                    }
+                }
                 self.shift_by(block, word, added, passed_on);
                 self.modal.systems.shift[0] = kept;
             }
@@ -197,7 +199,7 @@ impl Interpreter {
     /// G10: origins, and the radii of tools.
     fn set_data(&mut self, block: &Block, word: &Word, words: &mut Words) {
         let unit = self.modal.unit();
-        let [kind, number, radius] = ['L', 'P', 'R'].map(|letter| words.take(letter));
+        let (kind, number, radius) = (words.take('L'), words.take('P'), words.take('R'));
         let fanuc = self.dialect == Dialect::Fanuc;
         let Some(kind) = kind.and_then(|kind| whole(kind.value)) else {
             words.take_all("XYZABCUVWQIJ");

@@ -235,7 +235,8 @@ impl Emitter {
             return true;
         }
         let Some(height) = self.crossing.height(self.at.z, start.z) else {
-            let [from_x, from_y, x, y] = [self.at.x, self.at.y, start.x, start.y].map(Decimal::of);
+            let (from_x, from_y) = (Decimal::of(self.at.x), Decimal::of(self.at.y));
+            let (x, y) = (Decimal::of(start.x), Decimal::of(start.y));
             let message = format!(
                 "the path goes on elsewhere, from X{from_x} Y{from_y} to X{x} Y{y}, and no height is known at which the tool can cross"
             );
@@ -363,8 +364,11 @@ impl Emitter {
 
     /// A cubic as one block, its inner control points from its ends as written.
     fn native(&mut self, cubic: &Cubic, z: f64) {
-        let [_, first, second, end] =
-            cubic.points.map(|point| [self.out.units(point.x), self.out.units(point.y)]);
+        let written = |k: usize| {
+            let point = cubic.points[k];
+            [self.out.units(point.x), self.out.units(point.y)]
+        };
+        let (first, second, end) = (written(1), written(2), written(3));
         let start = self.out.at;
         let controls =
             [[first[0] - start[0], first[1] - start[1]], [second[0] - end[0], second[1] - end[1]]];

@@ -33,8 +33,8 @@ pub fn programmed_path(interpretation: &Interpretation) -> ToolPath {
 
 fn contour(programmed: &ProgrammedContour, path: &mut ToolPath) {
     let contour = &programmed.contour;
-    let [on, off] =
-        programmed.blocks.map(|line| Origin::Block { line, number: None, column: None });
+    let origin = |line| Origin::Block { line, number: None, column: None };
+    let (on, off) = (origin(programmed.blocks[0]), origin(programmed.blocks[1]));
     words(path, switch_on(programmed), on);
     if let Some(lead) = contour.lead_in() {
         lead_move(path, lead, Role::LeadIn, |lead| Line::new(lead, contour.start()));
