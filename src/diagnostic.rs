@@ -140,8 +140,8 @@ impl Diagnostic {
     /// Adds all segments concerned.
     #[inline(never)]
     #[must_use]
-    pub fn with_segments(mut self, segments: impl IntoIterator<Item = Origin>) -> Self {
-        self.segments = segments.into_iter().collect();
+    pub fn with_segments(mut self, segments: impl Into<Vec<Origin>>) -> Self {
+        self.segments = segments.into();
         self
     }
 }

@@ -51,10 +51,17 @@ pub(super) fn compensate_traced(
     // A radius that the coordinates have no digits for moves nothing.
     let tool = if tool.radius() < finest { tool.without_radius() } else { tool };
     let options = &Options { tolerance: options.tolerance.max(finest), ..*options };
-    let runs: Vec<Run> =
-        contour.segments().iter().map(|segment| Run::new(segment, tool, options)).collect();
+    let mut runs: Vec<Run> = Vec::with_capacity(contour.segments().len());
+    let mut spans = 0;
+    for segment in contour.segments() {
+        runs.push(Run::new(segment, tool, options));
+        spans += match &segment.curve {
+            Curve::Line(_) | Curve::Arc(_) => 1,
+            Curve::Spline(spline) => spline.pieces().len(),
+        };
+    }
     let leads = [contour.lead_in(), contour.lead_out()];
-    let closed = contour.is_closed() && leads.iter().all(Option::is_none);
+    let closed = contour.is_closed() && leads[0].or(leads[1]).is_none();
     let mut corners = Vec::with_capacity(runs.len());
     for pair in runs.windows(2) {
         corners.push(solve(&pair[0], &pair[1], tool, options, false));
@@ -75,11 +82,7 @@ pub(super) fn compensate_traced(
             (lead, lead_out(last, lead.point, lead.attributes.wish.lead, tool, options))
         }),
     };
-    let spans = contour.segments().iter().map(|segment| match &segment.curve {
-        Curve::Line(_) | Curve::Arc(_) => 1,
-        Curve::Spline(spline) => spline.pieces().len(),
-    });
-    trace.begin(spans.sum(), first_move);
+    trace.begin(spans, first_move);
     let path = assembly.build(trace);
     trace.end(closed);
     path
@@ -89,12 +92,19 @@ pub(super) fn compensate_traced(
 /// coordinate of the path, which is 5 digits above its rounding.
 pub(super) fn finest_tolerance(contour: &Contour, tool: Tool) -> f64 {
     let largest = |point: DVec2| point.abs().max_element();
-    let farthest = contour.segments().iter().map(|segment| match &segment.curve {
-        Curve::Line(line) => largest(line.end()),
-        Curve::Arc(arc) => largest(arc.end()) + 2.0 * arc.radius(),
-        Curve::Spline(spline) => spline.points().iter().copied().map(largest).fold(0.0, f64::max),
-    });
-    1e-11 * (farthest.fold(largest(contour.start()), f64::max) + tool.radius())
+    let mut farthest = largest(contour.start());
+    for segment in contour.segments() {
+        match &segment.curve {
+            Curve::Line(line) => farthest = farthest.max(largest(line.end())),
+            Curve::Arc(arc) => farthest = farthest.max(largest(arc.end()) + 2.0 * arc.radius()),
+            Curve::Spline(spline) => {
+                for &point in spline.points() {
+                    farthest = farthest.max(largest(point));
+                }
+            }
+        }
+    }
+    1e-11 * (farthest + tool.radius())
 }
 
 /// Everything solved, to be strung together.
@@ -114,7 +124,10 @@ impl Assembly<'_> {
     fn build(&self, trace: &mut Trace) -> ToolPath {
         let mut builder = PathBuilder::default();
         // At most three moves are inserted at a corner.
-        let count = self.runs.iter().map(|run| run.pieces.len() + 3).sum();
+        let mut count = 0;
+        for run in self.runs {
+            count += run.pieces.len() + 3;
+        }
         builder.path.moves.reserve_exact(count);
         self.add_lead_in(&mut builder);
         for (i, run) in self.runs.iter().enumerate() {

@@ -116,26 +116,25 @@ fn around_corner(
     kind: TransitionKind,
     turn: f64,
     frame: &CornerFrame,
-    runs: [Option<&Run>; 2],
+    [incoming, outgoing]: [Option<&Run>; 2],
     tool: Tool,
     options: &Options,
 ) -> Solution {
     // Words that choose it hold for the contour beside the lead.
-    let beside = runs[1].or(runs[0]);
+    let beside = outgoing.or(incoming);
     let style = beside.map_or(options.corner, |run| options.corner_of(&run.segment.attributes));
     match (style, kind) {
         (CornerStyle::Arc, _) => round_the_corner(frame, tool),
         (CornerStyle::Conic(disc), _) => round_by_conic(frame, turn, disc, tool, options),
         (CornerStyle::Intersection, _) if is_too_sharp(turn) => round_the_corner(frame, tool),
         (CornerStyle::Linear, TransitionKind::Inserted) => {
-            let [incoming, outgoing] = runs.map(|run| run.is_some_and(Run::is_straight));
-            inserted(frame, incoming, outgoing)
+            let is_straight = Run::is_straight;
+            inserted(frame, incoming.is_some_and(is_straight), outgoing.is_some_and(is_straight))
         }
         (CornerStyle::Linear | CornerStyle::Intersection, _) => {
             // A spline through moved type points itself begins or ends at V.
             let leg = |run: &Run| run.is_straight() || run.polygon.is_some();
-            let [incoming, outgoing] = runs.map(|run| run.is_some_and(leg));
-            elongated(frame, incoming, outgoing)
+            elongated(frame, incoming.is_some_and(leg), outgoing.is_some_and(leg))
         }
     }
 }

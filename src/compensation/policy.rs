@@ -76,7 +76,7 @@ pub fn refuse_gouges(path: &mut ToolPath) {
         .with_point(deepest.at)
         .with_depth(deepest.depth)
         .with_hint("use a smaller tool, or let gouges be avoided")
-        .with_segments(deepest.segments.iter().copied());
+        .with_segments(deepest.segments.as_slice());
     diagnostic.origin = deepest.segments.first().copied();
     path.moves.clear();
     path.contours.clear();

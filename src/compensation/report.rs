@@ -190,7 +190,7 @@ fn gouge(
             .with_point(at)
             .with_depth(depth)
             .with_origin(segments[segments.len() / 2])
-            .with_segments(segments.iter().copied()),
+            .with_segments(segments),
     );
     path.gouges.push(Gouge { kind, at, depth, segments: segments.to_vec() });
 }

@@ -93,7 +93,7 @@ impl Trace {
         moves_end: usize,
         tame: bool,
     ) {
-        let path = moves.iter().map(MoveCurve::hull_bounds).fold(Bounds::EMPTY, Bounds::union);
+        let path = MoveCurve::hulls(moves);
         let octants = Octants::of_turn(incoming, outgoing, sign);
         let contour = Bounds::of([point]);
         self.add(
@@ -120,7 +120,7 @@ impl Trace {
         let mut add = |span: u32, from: usize, contour: Bounds, octants: Octants| {
             let (to, fits) = moves_of(span as usize);
             let along = moves.get(from..to).unwrap_or(&[]);
-            let path = along.iter().map(MoveCurve::hull_bounds).fold(Bounds::EMPTY, Bounds::union);
+            let path = MoveCurve::hulls(along);
             let unit = Unit { job: 0, segment: Some(index), span, moves_end: first + to };
             self.add(unit, Node { contour, path, octants, fits });
             to

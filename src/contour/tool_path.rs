@@ -95,6 +95,16 @@ impl MoveCurve {
         }
     }
 
+    /// A quick box around several.
+    #[must_use]
+    pub fn hulls(curves: &[Self]) -> Bounds {
+        let mut bounds = Bounds::EMPTY;
+        for curve in curves {
+            bounds = bounds.union(curve.hull_bounds());
+        }
+        bounds
+    }
+
     /// Its point nearest to `point`.
     #[must_use]
     pub fn nearest(&self, point: DVec2) -> Nearest {

@@ -58,7 +58,11 @@ pub fn check_all(
     if limit <= 0.0 || pieces.is_empty() {
         return Vec::new();
     }
-    let tree = Tree::new(pieces.iter().map(|piece| piece.bounds).collect());
+    let mut boxes = Vec::with_capacity(pieces.len());
+    for piece in &pieces {
+        boxes.push(piece.bounds);
+    }
+    let tree = Tree::new(boxes);
     let mut judge = Judge {
         contours,
         pieces: &pieces,
@@ -114,7 +118,9 @@ fn pieces(contours: &[&Contour]) -> Vec<Piece> {
                 Curve::Line(line) => add(MoveCurve::Line(*line)),
                 Curve::Arc(arc) => add(MoveCurve::Arc(*arc)),
                 Curve::Spline(spline) => {
-                    spline.pieces().iter().copied().map(MoveCurve::Cubic).for_each(add);
+                    for &cubic in spline.pieces() {
+                        add(MoveCurve::Cubic(cubic));
+                    }
                 }
             }
         }

@@ -4,7 +4,7 @@ use super::tools::tip;
 use crate::compensation::{Options, Passage, look_ahead};
 use crate::contour::{Contour, Plane, Role, Tool, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin};
-use crate::geometry::Decimal;
+use crate::geometry::{Decimal, sin_cos};
 use crate::gouge::check;
 use crate::program::{ContourEnd, ContourStart, ProgrammedContour};
 
@@ -46,10 +46,13 @@ pub(super) fn with_look_ahead(
 /// it all the same. What a corner within the tangent band costs is not counted.
 fn judge(path: &mut ToolPath, programmed: &ProgrammedContour, tool: Tool, options: &Options) {
     let Some(contour) = part(programmed) else { return };
-    let is_cutting = |role| matches!(role, Role::Segment | Role::Transition);
-    let moves = path.moves.iter().filter(|step| is_cutting(step.role)).copied().collect();
-    let own = ToolPath { moves, ..ToolPath::default() };
-    let undercut = tool.radius() * (1.0 - options.band(tool.radius()).cos());
+    let mut own = ToolPath::default();
+    for step in &path.moves {
+        if matches!(step.role, Role::Segment | Role::Transition) {
+            own.moves.push(*step);
+        }
+    }
+    let undercut = tool.radius() * (1.0 - sin_cos(options.band(tool.radius())).1);
     let tolerance = options.usable_tolerance() + undercut;
     for gouge in check(&contour, &own, tool.radius(), tolerance) {
         let message = format!("the path cuts {} mm too deep", Decimal::of(gouge.depth));
@@ -57,7 +60,7 @@ fn judge(path: &mut ToolPath, programmed: &ProgrammedContour, tool: Tool, option
             .with_point(gouge.at)
             .with_depth(gouge.depth)
             .with_hint("use a smaller tool, or let gouges be avoided")
-            .with_segments(gouge.segments.iter().copied());
+            .with_segments(gouge.segments.as_slice());
         diagnostic.origin = gouge.segments.first().copied();
         path.diagnostics.push(diagnostic);
         path.gouges.push(gouge);

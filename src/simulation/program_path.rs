@@ -6,9 +6,7 @@ use super::Tools;
 use super::ahead::with_look_ahead;
 use super::changes::{cross_over, leave_out_last, start_from};
 use crate::compensation::{GougePolicy, LeadStyle, Options, compensate_all, refuse_gouges};
-use crate::contour::{
-    Attributes, AuxiliaryWords, Contour, EventKind, Lead, Move, MoveCurve, Role, Tool, ToolPath,
-};
+use crate::contour::{AuxiliaryWords, Contour, EventKind, Move, MoveCurve, Role, Tool, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Decimal, Line, MIN_LENGTH};
 use crate::gouge::check;
@@ -263,7 +261,7 @@ impl Course {
                         .with_origin(step.origin)
                         .with_point(gouge.at)
                         .with_depth(gouge.depth)
-                        .with_segments(gouge.segments.iter().copied())
+                        .with_segments(gouge.segments.as_slice())
                         .with_hint("begin and end the contour where the tool fits"),
                 );
                 self.path.gouges.push(gouge);
@@ -323,8 +321,10 @@ impl Course {
 
 /// Lets the moves of each block of a contour take the time that is programmed for it (G93).
 fn set_feeds(path: &mut ToolPath, contour: &Contour) {
-    let lead = |lead: Option<&Lead>| lead.map(|lead| lead.attributes);
-    let mut blocks: Vec<Attributes> = lead(contour.lead_in()).into_iter().collect();
+    let mut blocks = Vec::new();
+    if let Some(lead) = contour.lead_in() {
+        blocks.push(lead.attributes);
+    }
     let mut events = contour.events().iter().peekable();
     for (index, segment) in contour.segments().iter().enumerate() {
         while let Some(event) = events.next_if(|event| event.before <= index) {
@@ -339,7 +339,9 @@ fn set_feeds(path: &mut ToolPath, contour: &Contour) {
             blocks.push(attributes);
         }
     }
-    blocks.extend(lead(contour.lead_out()));
+    if let Some(lead) = contour.lead_out() {
+        blocks.push(lead.attributes);
+    }
     if blocks.iter().all(|block| block.time.is_none()) {
         return;
     }

@@ -32,7 +32,8 @@ impl Local {
         let span =
             |end: End, whole: usize| if let End::At(spot, _) = end { spot.span } else { whole };
         let parts = [index.checked_sub(1), Some(index).filter(|&i| i < self.parts.len())];
-        let before = parts.map(|part| part.is_some_and(|part| self.is_passed(part)));
+        let passed = |part: Option<usize>| part.is_some_and(|part| self.is_passed(part));
+        let before = [passed(parts[0]), passed(parts[1])];
         let old = std::mem::replace(&mut self.joints[index], joint);
         for (k, part) in parts.into_iter().enumerate() {
             let Some(part) = part else { continue };

@@ -106,7 +106,10 @@ impl Local {
             }
             local.joints.resize(local.parts.len() + 1, Joint::free());
         } else {
-            local.joints = (0..=local.parts.len()).map(|index| local.joint(index)).collect();
+            for index in 0..=local.parts.len() {
+                let joint = local.joint(index);
+                local.joints.push(joint);
+            }
             for block in 0..local.blocks.len() {
                 path.push(&local.path_of(block));
             }
@@ -229,12 +232,14 @@ impl Local {
             inside.then_some(index % count)
         };
         // Lines and arcs first: the ends of splines follow them.
-        for index in [around(1), around(2)].into_iter().flatten() {
+        for by in 1..3 {
+            let Some(index) = around(by) else { continue };
             if !matches!(described.described()[index].0, Shape::Spline(_)) {
                 self.refresh_plain(described, index)?;
             }
         }
-        for index in [around(0), around(1), around(2), around(3)].into_iter().flatten() {
+        for by in 0..4 {
+            let Some(index) = around(by) else { continue };
             self.refresh_spline(described, index)?;
         }
         Ok(())

@@ -232,8 +232,8 @@ impl LiveContour {
     pub fn set_segment(&mut self, segment: usize, shape: Shape) -> Result<(), EditError> {
         let end = shape.end();
         let own = self.described.shape_mut(segment).ok_or(EditError::NoSegment)?;
-        let splines =
-            [&shape, &*own].map(|shape| matches!(shape, Shape::Spline(_) | Shape::Bezier { .. }));
+        let is_spline = |shape: &Shape| matches!(shape, Shape::Spline(_) | Shape::Bezier { .. });
+        let splines = [is_spline(&shape), is_spline(own)];
         *own = shape;
         if let Some(end) = end {
             self.take_start_along(segment, end);

@@ -90,9 +90,13 @@ impl Part {
     pub(super) fn bounds(&self, first: usize, count: usize) -> Bounds {
         match self {
             Self::Plain(segment) => segment.curve.bounds(),
-            Self::Spline(spline, _) => (first..first + count)
-                .map(|span| spline.cubic(span).hull_bounds())
-                .fold(Bounds::EMPTY, Bounds::union),
+            Self::Spline(spline, _) => {
+                let mut bounds = Bounds::EMPTY;
+                for span in first..first + count {
+                    bounds = bounds.union(spline.cubic(span).hull_bounds());
+                }
+                bounds
+            }
         }
     }
 
@@ -124,7 +128,7 @@ impl Part {
             // The straight way round a corner reaches out to √2 times the radius.
             bounds = Bounds::of([end]).inflated(1.5 * tool.radius());
         }
-        pieces.iter().map(MoveCurve::hull_bounds).fold(bounds, Bounds::union)
+        MoveCurve::hulls(&pieces).union(bounds)
     }
 
     /// Appends the polyline of some spans.

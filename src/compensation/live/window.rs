@@ -40,15 +40,27 @@ impl Local {
         let reach = self.tool.radius() + self.options.usable_tolerance();
         let near = changed.inflated(reach);
         let is_concerned = |block: &Block| block.path.meets(&near);
-        let concerned = self.blocks.iter().filter(|block| is_concerned(block));
-        let paths = concerned.map(|block| block.path).fold(changed, Bounds::union);
+        let mut paths = changed;
+        for block in &self.blocks {
+            if is_concerned(block) {
+                paths = paths.union(block.path);
+            }
+        }
         let around = paths.inflated(reach);
-        let list: Vec<usize> = (0..self.blocks.len())
-            .filter(|&k| self.blocks[k].bounds.meets(&around) || is_concerned(&self.blocks[k]))
-            .collect();
+        let mut list = Vec::new();
+        for (k, block) in self.blocks.iter().enumerate() {
+            if block.bounds.meets(&around) || is_concerned(block) {
+                list.push(k);
+            }
+        }
         let left = self.cut(&list, &|block| is_concerned(&self.blocks[block]));
-        let cut = list.into_iter().zip(left);
-        cut.filter(|&(block, _)| is_concerned(&self.blocks[block])).collect()
+        let mut cut = Vec::new();
+        for (block, left) in list.into_iter().zip(left) {
+            if is_concerned(&self.blocks[block]) {
+                cut.push((block, left));
+            }
+        }
+        cut
     }
 
     /// Cuts the paths of some blocks, in order, as if there were no others; tells what is left of
@@ -60,7 +72,7 @@ impl Local {
         // What leads from the last segment to the lead-out names the first of its run.
         let led_out = runs.iter().find(|run| run.lead_out().is_some()).map(|run| {
             let segments = run.segments();
-            [&segments[0], &segments[segments.len() - 1]].map(|segment| segment.attributes.origin)
+            [segments[0].attributes.origin, segments[segments.len() - 1].attributes.origin]
         });
         let mut before = None;
         let mut pen = Pen { chord: self.chord, vertices: Vec::new() };

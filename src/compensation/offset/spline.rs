@@ -242,15 +242,18 @@ fn cut_at_standstill(cubic: &Cubic) -> Vec<Part> {
     ];
     let scale = cubic.hull_length();
     let stands = |t: f64| cubic.derivative(t).length() <= 1e-7 * scale;
-    let still: Vec<f64> = crate::geometry::roots(&slope)
-        .into_iter()
-        .filter(|&t| t > AT_END && t < 1.0 - AT_END && stands(t))
-        .collect();
-    if still.is_empty() {
+    let (mut parts, mut from) = (Vec::new(), 0.0);
+    for t in crate::geometry::roots(&slope) {
+        if t > AT_END && t < 1.0 - AT_END && stands(t) {
+            parts.push(Part { cubic: cubic.part(from, t), from, to: t });
+            from = t;
+        }
+    }
+    if parts.is_empty() {
         return whole();
     }
-    let ends = [0.0].into_iter().chain(still).chain([1.0]).collect::<Vec<_>>();
-    ends.windows(2).map(|w| Part { cubic: cubic.part(w[0], w[1]), from: w[0], to: w[1] }).collect()
+    parts.push(Part { cubic: cubic.part(from, 1.0), from, to: 1.0 });
+    parts
 }
 
 /// Emits pieces within the tolerance of the offset of `source`, which has the given ends.
