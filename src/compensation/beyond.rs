@@ -10,7 +10,7 @@ use super::transition::{CornerFrame, Place, Solution, Terminal, polyline};
 use super::type_points::{leg_meets_arc, parameter_beyond};
 use crate::contour::MoveCurve;
 use crate::geometry::intersect::circles;
-use crate::geometry::{Nurbs, in_range};
+use crate::geometry::{Nurbs, in_range, sin_cos};
 
 /// The largest turn at which the tool goes to the intersection (SINUMERIK's
 /// `CUTCOM_CORNER_LIMIT`): 100°, in rad. Beyond, the way there and back is idle, and an arc stands
@@ -102,7 +102,7 @@ pub(super) fn conic(
     if disc == 0 || is_too_sharp(turn) {
         return None;
     }
-    let (v, cosine) = (frame.v(), (0.5 * turn).cos());
+    let (v, cosine) = (frame.v(), sin_cos(0.5 * turn).1);
     let peak = 1.0 + (1.0 / cosine - 1.0) * 0.01 * f64::from(disc);
     let share = (peak - cosine) / (1.0 / cosine - cosine);
     if disc >= 100 {
