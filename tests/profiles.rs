@@ -370,7 +370,8 @@ fn g451_goes_to_the_intersection_up_to_its_limit_angle() {
         assert_eq!(inserted.is_empty(), !is_arc, "{degrees}°: {inserted:?}");
     }
     // A line and a circle run on to where they meet, with no further block.
-    assert_eq!(inserted(&path_of(&corner("G451", 60.0, [false, true]), Profile::Sinumerik)), []);
+    let path = path_of(&corner("G451", 60.0, [false, true]), Profile::Sinumerik);
+    assert_eq!(inserted(&path), [], "a line runs on to an arc that does");
 }
 
 #[test]
