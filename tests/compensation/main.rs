@@ -35,4 +35,5 @@ mod table;
 mod true_errors;
 mod type_points;
 mod verdict;
+mod walls;
 mod whole_contour;
