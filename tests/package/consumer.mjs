@@ -36,7 +36,9 @@ export function packed() {
 
   return function project(name, files) {
     const home = join(folder, name);
-    cpSync(join(folder, "node_modules"), join(home, "node_modules"), { recursive: true });
+    // The link of the package's command stays as it is: it points to within what is copied.
+    const options = { recursive: true, verbatimSymlinks: true };
+    cpSync(join(folder, "node_modules"), join(home, "node_modules"), options);
     write(home, { "package.json": "{}", ...files });
     return home;
   };
