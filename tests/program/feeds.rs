@@ -65,6 +65,7 @@ fn a_feed_in_another_mode_does_not_count() {
 
 #[test]
 fn feeds_keep_their_speed_when_the_unit_changes() {
-    assert_eq!(feeds("G20 G1 X1 F60\nG21 X1\nX2 F60"), [Some(25.4), Some(25.4), Some(1.0)]);
+    let found = feeds("G20 G1 X1 F60\nG21 X1\nX2 F60");
+    assert_eq!(found, [Some(25.4), Some(25.4), Some(1.0)], "in the unit of its word");
     assert_eq!(feeds("F120\nG1 X1\nF60\nX2"), [Some(2.0), Some(1.0)], "without a move");
 }
