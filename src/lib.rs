@@ -68,7 +68,7 @@
 //! | --- | --- | --- |
 //! | 6 | `js` (feature `js`) | nothing hidden: it converts, calls, converts |
 //! | 5 | [`simulation`] | the text of a program |
-//! | 4 | [`program`], [`compensation`], [`gouge`] | each other; `compensation` knows no G-code, and `gouge` judges its paths without sharing its code |
+//! | 4 | [`program`], [`compensation`], [`gouge`], [`motion`] | each other; `compensation` knows no G-code, `gouge` judges its paths without sharing its code, and `motion` asks no path where it came from |
 //! | 3 | [`contour`] | how a contour becomes a path |
 //! | 2 | [`geometry`] | that tools exist |
 //! | 1 | [`diagnostic`] | everything |
@@ -95,5 +95,6 @@ pub mod geometry;
 pub mod gouge;
 #[cfg(feature = "js")]
 pub mod js;
+pub mod motion;
 pub mod program;
 pub mod simulation;
