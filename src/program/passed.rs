@@ -33,6 +33,21 @@ impl<'a> Token<'a> {
     }
 }
 
+/// A G or M word with the words that belong to it.
+#[derive(Debug, Clone, Copy)]
+struct Command<'a> {
+    value: f64,
+    parameters: &'a [Token<'a>],
+    origin: Origin,
+}
+
+impl Command<'_> {
+    /// Adds it to a line.
+    fn push(&self, line: &mut String, letter: char, out: &BlockWriter) {
+        push_command(line, letter, self.value, self.parameters, out);
+    }
+}
+
 /// Passes words on, and keeps what it has to say about them.
 #[derive(Debug, Default)]
 pub(super) struct Passing {
@@ -89,11 +104,11 @@ impl Passing {
                     i += 1;
                 }
             }
-            let parameters = &tokens[first..i];
+            let command = Command { value, parameters: &tokens[first..i], origin };
             match letter {
                 'G' if machine => {
                     if out.facts.knows_g(530) {
-                        push_command(&mut line, 'G', value, parameters, out);
+                        command.push(&mut line, 'G', out);
                         out.forget_motion();
                     } else {
                         self.left_out('G', 53.0, origin);
@@ -103,11 +118,11 @@ impl Passing {
                     out.words(&line);
                     line.clear();
                     let motion = if tenths(value) == 0 { '0' } else { '1' };
-                    let axis = |letter| find(parameters, letter);
+                    let axis = |letter| find(command.parameters, letter);
                     let axes = [axis('X'), axis('Y'), axis('Z')];
-                    out.state(motion, axes, find(parameters, 'F'));
+                    out.state(motion, axes, axis('F'));
                 }
-                'G' => self.g_word(&mut line, value, parameters, out, origin),
+                'G' => self.g_word(&mut line, command, out),
                 'M' if tenths(value) == 60 && !out.facts.knows_m(60) => {
                     out.words(&line);
                     line.clear();
@@ -116,7 +131,7 @@ impl Passing {
                     says = false;
                     self.change_by_hand(out, origin);
                 }
-                'M' => self.m_word(&mut line, value, parameters, out, origin),
+                'M' => self.m_word(&mut line, command, out),
                 'T' => {
                     self.tool = Some(value);
                     if out.facts.tools {
@@ -153,14 +168,8 @@ impl Passing {
     }
 
     /// A G word that is no motion.
-    fn g_word(
-        &mut self,
-        line: &mut String,
-        value: f64,
-        parameters: &[Token],
-        out: &mut BlockWriter,
-        origin: Origin,
-    ) {
+    fn g_word(&mut self, line: &mut String, command: Command, out: &mut BlockWriter) {
+        let Command { value, parameters, origin } = command;
         let number = tenths(value);
         let known = u32::try_from(number).is_ok_and(|number| out.facts.knows_g(number));
         if matches!(number, 430..=440) {
@@ -180,7 +189,7 @@ impl Passing {
             self.left_out('G', value, origin);
         } else if matches!(number, 400..=421) {
             let mut words = String::new();
-            push_command(&mut words, 'G', value, parameters, out);
+            command.push(&mut words, 'G', out);
             out.prefix(&words);
         } else if number == 490 && self.no_length {
             // What it would end has not begun.
@@ -196,14 +205,9 @@ impl Passing {
         }
     }
 
-    fn m_word(
-        &mut self,
-        line: &mut String,
-        value: f64,
-        parameters: &[Token],
-        out: &mut BlockWriter,
-        origin: Origin,
-    ) {
+    /// An M word, M6 where it is not known apart.
+    fn m_word(&mut self, line: &mut String, command: Command, out: &mut BlockWriter) {
+        let Command { value, parameters, origin } = command;
         let number = tenths(value);
         if out.facts.single && matches!(number, 30 | 40) {
             self.spindle[0] = Some(value);
@@ -216,7 +220,7 @@ impl Passing {
             if number == 50 {
                 self.spindle[0] = None;
             }
-            push_command(line, 'M', value, parameters, out);
+            command.push(line, 'M', out);
         } else if out.facts.single && matches!(number, 20 | 300) {
             // The end of the text is the end of the program.
             self.tell(
