@@ -110,6 +110,7 @@ async function assemble() {
     filter: (name) => !name.endsWith(".json"),
   });
   cpSync(join(root, "src/js/types.d.ts"), join(fresh, "index.d.ts"));
+  cpSync(join(root, "src/js/types"), join(fresh, "types"), { recursive: true });
   // Put in place at once, so that a failed build leaves the last good one.
   rmSync(join(root, "dist"), { recursive: true, force: true });
   renameSync(fresh, join(root, "dist"));

@@ -1,6 +1,6 @@
 // The packed package holds what it should, and its types fit every way of importing it.
 import assert from "node:assert/strict";
-import { readdirSync } from "node:fs";
+import { readdirSync, readFileSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 
@@ -53,6 +53,21 @@ export const inits: (typeof init)[] = [init, same];`,
     await runNode(home, script("typescript", "tsc"));
   });
 }
+
+test("the types export all that their files declare", () => {
+  const folder = join(project("exported", {}), "node_modules/g41/dist");
+  const declared = readdirSync(join(folder, "types")).flatMap((name) => {
+    const text = readFileSync(join(folder, "types", name), "utf8");
+    return [...text.matchAll(/^export (?!default)\w+ (\w+)/gm)].map(([, found]) => found);
+  });
+  const index = readFileSync(join(folder, "index.d.ts"), "utf8");
+  const lists = [...index.matchAll(/export \{(.*?)\}/gs)].map(([, list]) => list.split(","));
+  const exported = lists.flat().map((entry) => entry.trim().replace("type ", ""));
+  assert.deepEqual(
+    exported.filter((name) => name && name !== "default").sort(),
+    [...new Set(declared)].sort(),
+  );
+});
 
 test("publint finds nothing to improve", async () => {
   const home = project("publint", {});
