@@ -2,10 +2,12 @@
 //!
 //! This floor plans any path and never asks where it came from. Lengths are in mm, times in s.
 
+mod corner;
 mod helix;
 mod piece;
 mod straight;
 
+pub use corner::{Corner, CornerCurve, CornerShape};
 pub use helix::Helix;
 pub use piece::{Frame, Piece};
 pub use straight::Straight;

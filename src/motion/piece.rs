@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Helix, Straight};
+use super::{Corner, Helix, Straight};
 
 /// Where a curve is at an arc length, and its derivatives by arc length there.
 ///
@@ -49,6 +49,8 @@ pub enum Piece {
     Straight(Straight),
     /// A circular arc, or a helix.
     Helix(Helix),
+    /// A rounded corner between lines.
+    Corner(Corner),
 }
 
 impl Piece {
@@ -58,6 +60,7 @@ impl Piece {
         match self {
             Self::Straight(straight) => straight.length,
             Self::Helix(helix) => helix.length,
+            Self::Corner(corner) => corner.length,
         }
     }
 
@@ -68,6 +71,7 @@ impl Piece {
         match self {
             Self::Straight(straight) => straight.frame(s),
             Self::Helix(helix) => helix.frame(s),
+            Self::Corner(corner) => corner.frame(s),
         }
     }
 }

@@ -1,0 +1,205 @@
+//! What a corner curve is by its turn alone: length, leg, deviation and the limits of its bend.
+
+use glam::DVec3;
+
+use super::family::{CornerCurve, Series};
+
+/// A corner curve of a given turn at scale 1: its parametric speed at both ends is 1 mm.
+///
+/// Lengths grow with the scale, curvature falls with it and its derivative with its square.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CornerShape {
+    /// Which curve.
+    pub(super) curve: CornerCurve,
+    /// Cosine of a quarter of the turn.
+    pub(super) cos: f64,
+    /// Sine of a quarter of the turn.
+    pub(super) sin: f64,
+    /// Cosine of half the turn.
+    pub(super) half_cos: f64,
+}
+
+/// The tangential and the cross-wise values of `w` and its derivatives by `x`.
+struct Root {
+    even: [f64; 3],
+    odd: [f64; 3],
+}
+
+impl CornerShape {
+    /// The curve that turns one unit tangent into the other, in a plane of space; `None` for a
+    /// reversal, whose plane and legs no number tells.
+    ///
+    /// No angle is taken: half the sum and half the difference of the tangents are as long as cosine
+    /// and sine of half the turn.
+    #[must_use]
+    pub fn between(curve: CornerCurve, incoming: DVec3, outgoing: DVec3) -> Option<Self> {
+        let (sum, difference) = ((incoming + outgoing).length(), (outgoing - incoming).length());
+        let unit = sum.hypot(difference);
+        let (half_cos, half_sin) = (sum / unit, difference / unit);
+        let cos = (0.5 * (1.0 + half_cos)).sqrt();
+        // Below this the legs are longer than any machine, 1e8 times the curve's scale.
+        (half_cos > 1e-8).then(|| Self { curve, cos, sin: half_sin / (2.0 * cos), half_cos })
+    }
+
+    /// Which curve it is.
+    #[must_use]
+    pub fn curve(&self) -> CornerCurve {
+        self.curve
+    }
+
+    /// Arc length [mm]; for degree 13 `(13635 + 3488 C − 2108 C²)/15015`.
+    #[must_use]
+    pub fn length(&self) -> f64 {
+        self.along(1.0).iter().sum()
+    }
+
+    /// Distance from the corner to either end [mm]: the chord over `2 cos(θ/2)`; for degree 13 the
+    /// chord is `(14922 C² + 3488 C − 3395)/15015`.
+    #[must_use]
+    pub fn leg(&self) -> f64 {
+        let chord: f64 = self.along(-1.0).iter().sum();
+        chord / (2.0 * self.half_cos)
+    }
+
+    /// Distance from the corner to the curve [mm], at its middle: also the greatest distance
+    /// between the curve and the corner's two legs.
+    #[must_use]
+    pub fn deviation(&self) -> f64 {
+        let sag: f64 = self.across().iter().sum();
+        self.sin * (2.0 * self.cos * self.leg() - sag)
+    }
+
+    /// Largest curvature [1/mm], at the middle: `4 S γ(0)/u(0)³`, for degree 13 `7.5 S`.
+    #[must_use]
+    pub fn largest_curvature(&self) -> f64 {
+        let family = self.curve.family();
+        let middle = self.cos * family.even[0] + self.free() * family.middle[0];
+        4.0 * self.sin * family.odd[0] / (middle * middle * middle)
+    }
+
+    /// Largest derivative of the curvature by arc length [1/mm²].
+    ///
+    /// For degree 13 a polynomial of `S` that is right to 6.6e-5 for any turn, raised by as much;
+    /// for its relatives the greatest of 96 places, each at most 0.2 % below the peak beside it.
+    #[must_use]
+    pub fn largest_sharpness(&self) -> f64 {
+        if self.curve == CornerCurve::Ph13 {
+            let square = self.sin * self.sin;
+            let fit = ((3.1925 * square + 14.2169) * square - 3.4857) * square + 23.0950;
+            return 1.000_07 * self.sin * fit;
+        }
+        self.sampled(|_, sharpness| sharpness.abs())
+    }
+
+    /// Largest `√(κ⁴ + κ'²)` [1/mm²]: at a steady speed `v` the jerk is `v³` times this.
+    ///
+    /// For degree 13 `1.016 max(κ'max, κmax²)`, which is never too small and at most 1.6 % too big.
+    #[must_use]
+    pub fn jerk_constant(&self) -> f64 {
+        if self.curve == CornerCurve::Ph13 {
+            let bend = self.largest_curvature();
+            return 1.016 * self.largest_sharpness().max(bend * bend);
+        }
+        self.sampled(|curvature, sharpness| (curvature * curvature).hypot(sharpness))
+    }
+
+    /// `e`: 1 − C where the middle of the curve is free, else 0.
+    fn free(&self) -> f64 {
+        if self.curve == CornerCurve::Ph13 { self.sin * self.sin / (1.0 + self.cos) } else { 0.0 }
+    }
+
+    /// Arc length (with `sign` 1) or progress along the tangent of the middle (with −1), both from
+    /// the middle, over `x/2`: `∫ (u² ± v²) dx`.
+    pub(super) fn along(&self, sign: f64) -> Series {
+        let [even, both, middle, odd] = &self.curve.family().squares;
+        let free = self.free();
+        let factors =
+            [self.cos * self.cos, 2.0 * self.cos * free, free * free, sign * self.sin * self.sin];
+        let mut sum = [0.0; 8];
+        for (k, sum) in sum.iter_mut().enumerate() {
+            *sum = factors[0] * even[k]
+                + factors[1] * both[k]
+                + factors[2] * middle[k]
+                + factors[3] * odd[k];
+        }
+        sum
+    }
+
+    /// How far the curve has bent away from the tangent of its middle, over `S y`: `∫ u v dx`.
+    pub(super) fn across(&self) -> Series {
+        let [even, middle] = &self.curve.family().across;
+        let free = self.free();
+        let mut sum = [0.0; 8];
+        for (k, sum) in sum.iter_mut().enumerate() {
+            *sum = self.cos * even[k] + free * middle[k];
+        }
+        sum
+    }
+
+    /// `w` at `x`.
+    fn root(&self, x: f64) -> Root {
+        let family = self.curve.family();
+        let (y, free) = (x * x, self.free());
+        let mut even = [0.0; 3];
+        let mut odd = [0.0; 3];
+        // Horner's scheme for a polynomial and its derivatives by y, the second halved; the
+        // polynomials have four terms at most.
+        for k in (0..4).rev() {
+            let c = self.cos * family.even[k] + free * family.middle[k];
+            even[2] = even[2] * y + even[1];
+            even[1] = even[1] * y + even[0];
+            even[0] = even[0] * y + c;
+            odd[2] = odd[2] * y + odd[1];
+            odd[1] = odd[1] * y + odd[0];
+            odd[0] = odd[0] * y + family.odd[k];
+        }
+        // By x: p(y)' = 2 x p', p'' = 2 p' + 4 y p''; x p has p + 2 y p' and x (6 p' + 4 y p'').
+        Root {
+            even: [even[0], 2.0 * x * even[1], 2.0 * even[1] + 8.0 * y * even[2]],
+            odd: [
+                self.sin * x * odd[0],
+                self.sin * (odd[0] + 2.0 * y * odd[1]),
+                self.sin * x * (6.0 * odd[1] + 8.0 * y * odd[2]),
+            ],
+        }
+    }
+
+    /// Parametric speed at `x` [mm].
+    pub(super) fn speed(&self, x: f64) -> f64 {
+        let family = self.curve.family();
+        let (y, free) = (x * x, self.free());
+        let (mut even, mut odd) = (0.0, 0.0);
+        for k in (0..4).rev() {
+            even = even * y + (self.cos * family.even[k] + free * family.middle[k]);
+            odd = odd * y + family.odd[k];
+        }
+        odd *= self.sin * x;
+        even * even + odd * odd
+    }
+
+    /// Direction as cosine and sine against the tangent of the middle, curvature [1/mm] and its
+    /// derivative by arc length [1/mm²] at `x`.
+    ///
+    /// The angle is `2 arg w` and the arc length grows by `|w|²/2` with `x`: with
+    /// `K = u v' − u' v` and `σ = u² + v²` the curvature is `4 K/σ²`, and its derivative
+    /// `8 (K' σ − 2 K σ')/σ⁴`.
+    pub(super) fn bend(&self, x: f64) -> ([f64; 2], f64, f64) {
+        let Root { even: [u, du, ddu], odd: [v, dv, ddv] } = self.root(x);
+        let speed = u * u + v * v;
+        let (turning, change) = (u * dv - du * v, u * ddv - ddu * v);
+        let square = speed * speed;
+        let sharpness = (change * speed - 4.0 * turning * (u * du + v * dv)) / (square * square);
+        ([(u * u - v * v) / speed, 2.0 * u * v / speed], 4.0 * turning / square, 8.0 * sharpness)
+    }
+
+    /// The greatest value of curvature and its derivative over the curve.
+    fn sampled(&self, value: fn(f64, f64) -> f64) -> f64 {
+        let mut greatest = 0.0_f64;
+        for i in 0..=96 {
+            // The curve is symmetric.
+            let (_, curvature, sharpness) = self.bend(f64::from(i) / 96.0);
+            greatest = greatest.max(value(curvature, sharpness));
+        }
+        1.002 * greatest
+    }
+}
