@@ -4,10 +4,17 @@
 
 mod corner;
 mod helix;
+mod limits;
 mod piece;
+mod plan;
+mod sample;
+mod speed;
 mod straight;
 
 pub use corner::{Corner, CornerCurve, CornerShape};
 pub use helix::Helix;
+pub use limits::{AxisLimits, CornerCurve, CurvatureSteps, Limits, LimitsError, Mode};
 pub use piece::{Frame, Piece};
+pub use plan::{Planner, plan};
+pub use sample::Motion;
 pub use straight::Straight;
