@@ -3,6 +3,8 @@
 use std::error::Error;
 use std::fmt;
 
+use super::CornerCurve;
+
 /// Limits of each of the axes x, y and z, beside those of the vector.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxisLimits {
@@ -23,20 +25,6 @@ pub enum Mode {
     /// CN patent, Shanghai University of Engineering Science, 2022, to the letter: one quintic of
     /// velocity between the midpoints of corners. It breaks limits, and reports which.
     Textbook,
-}
-
-/// The curve that rounds a corner between two lines.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum CornerCurve {
-    /// Pythagorean-hodograph curve of degree 13: jerk is continuous.
-    #[default]
-    Ph13,
-    /// Of degree 11: jerk is continuous.
-    Ph11,
-    /// Of degree 9: jerk is continuous.
-    Ph9,
-    /// Of degree 5: jerk has steps at both ends.
-    Ph5,
 }
 
 /// What to do where a line runs into an arc, and curvature has a step.

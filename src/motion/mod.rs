@@ -13,7 +13,7 @@ mod straight;
 
 pub use corner::{Corner, CornerCurve, CornerShape};
 pub use helix::Helix;
-pub use limits::{AxisLimits, CornerCurve, CurvatureSteps, Limits, LimitsError, Mode};
+pub use limits::{AxisLimits, CurvatureSteps, Limits, LimitsError, Mode};
 pub use piece::{Frame, Piece};
 pub use plan::{Planner, plan};
 pub use sample::Motion;

@@ -44,7 +44,7 @@ impl Times {
             return Self { rise: (difference / (2.0 * snap)).cbrt(), stay: 0.0, hold: 0.0 };
         }
         // peak (rise + stay)(2 rise + stay) = difference, quadratic in rise + stay.
-        let sum = (-rise + (rise * rise + 4.0 * difference / peak).sqrt()) / 2.0;
+        let sum = f64::midpoint(-rise, (rise * rise + 4.0 * difference / peak).sqrt());
         Self { rise, stay: sum - rise, hold: 0.0 }
     }
 
