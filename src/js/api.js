@@ -30,11 +30,9 @@ export function compensate(contours, options) {
   if (contours instanceof Program) {
     return new ProgramCompensation(contours, options).finish();
   }
-  const { side, radius, settings } = contourOptions(options);
+  const settings = contourOptions(options);
   const records = packContours(contours);
-  return new ToolPath((glue) =>
-    glue.compensateContours(records, side, radius, new glue.Settings(...settings)),
-  );
+  return new ToolPath((glue) => glue.compensateContours(records, new glue.Settings(...settings)));
 }
 
 /**

@@ -4,41 +4,34 @@ use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::argument::BadArgument;
 use super::contour_records::read_contours;
-use super::names::{SideName, side};
 use super::polylines::Polylines;
 use super::polylines_handle::PolylinesHandle;
 use super::settings::Settings;
 use super::tool_path::ToolPathHandle;
 use crate::compensation::compensate_all;
-use crate::contour::{Contour, Tool, ToolPath};
+use crate::contour::{Contour, ToolPath};
 use crate::diagnostic::Origin;
 use crate::simulation::Profile;
 
-/// Compensates the contours of `records`; `side` and `radius` [mm] stand for what they say.
+/// Compensates the contours of `records`; the tool of `settings` stands for what they say.
 ///
 /// # Errors
 /// Where a record is wrong, or a contour is left without a side or a radius.
 #[wasm_bindgen(js_name = compensateContours)]
 pub fn compensate_contours(
     records: &[f64],
-    side_name: Option<SideName>,
-    radius: Option<f64>,
     settings: Settings,
 ) -> Result<ToolPathHandle, BadArgument> {
     let (contours, numbering) = read_contours(records)?;
-    let side_name = side_name.and_then(side);
-    let options = settings.into_options(Profile::default());
     let mut found = Vec::new();
     let mut jobs = Vec::new();
     for contour in contours {
-        let side = side_name.or(contour.side).ok_or_else(|| missing("options.side"))?;
-        let radius = radius.or(contour.radius).ok_or_else(|| missing("options.radius"))?;
-        let tool = Tool::new(radius, side)
-            .ok_or_else(|| BadArgument::new("options.radius", "be at most 1e7 mm"))?;
+        let tool = settings.tool(contour.side, contour.radius)?;
         let mut built = contour.build();
         found.append(&mut built.diagnostics);
         jobs.extend(built.contour.map(|contour| (contour, tool)));
     }
+    let options = settings.into_options(Profile::default());
     let jobs: Vec<_> = jobs.iter().map(|(contour, tool)| (contour, *tool)).collect();
     let mut path = ToolPath { diagnostics: found, ..ToolPath::default() };
     path.append(compensate_all(&jobs, &options));
@@ -69,8 +62,4 @@ fn described_index(contour: Option<&Contour>, made: usize) -> u32 {
         Some(Origin::Segment(number)) => number,
         Some(Origin::Block { .. }) | None => 0,
     }
-}
-
-pub(super) fn missing(path: &str) -> BadArgument {
-    BadArgument::new(path, "be given, since the contour does not say it")
 }

@@ -22,11 +22,11 @@ export class LiveContour {
    */
   constructor(contour, options = {}) {
     call(() => {});
-    const { side, radius, settings, chord } = liveOptions(options);
+    const { settings, chord } = liveOptions(options);
     const records = packContours(contour);
     this.#options = /** @type {Record<string, unknown>} */ (options);
     this.#handle = new Handle(
-      (glue) => new glue.LiveHandle(records, side, radius, new glue.Settings(...settings), chord),
+      (glue) => new glue.LiveHandle(records, new glue.Settings(...settings), chord),
     );
   }
 
@@ -38,14 +38,7 @@ export class LiveContour {
    */
   movePoint(segment, index, x, y) {
     const isStart = segment === -1 && index === 0;
-    place(isStart ? 0 : segment, index, x, y);
-    this.#handle.use((raw) => {
-      if (isStart) {
-        raw.moveStart(x, y);
-      } else {
-        raw.movePoint(segment, index, x, y);
-      }
-    });
+    this.#edit(isStart ? "MoveStart" : "MovePoint", isStart ? 0 : segment, index, x, y);
   }
 
   /**
@@ -55,8 +48,7 @@ export class LiveContour {
    * @param {number} y
    */
   insertPoint(segment, index, x, y) {
-    place(segment, index, x, y);
-    this.#handle.use((raw) => raw.insertPoint(segment, index, x, y));
+    this.#edit("InsertPoint", segment, index, x, y);
   }
 
   /**
@@ -64,8 +56,7 @@ export class LiveContour {
    * @param {number} index
    */
   removePoint(segment, index) {
-    place(segment, index, 0, 0);
-    this.#handle.use((raw) => raw.removePoint(segment, index));
+    this.#edit("RemovePoint", segment, index, 0, 0);
   }
 
   /**
@@ -73,7 +64,7 @@ export class LiveContour {
    * @param {unknown} segment
    */
   setSegment(index, segment) {
-    place(index, 0, 0, 0);
+    whole(index, "segment");
     const record = packOneSegment(segment);
     this.#handle.use((raw) => raw.setSegment(index, record));
   }
@@ -81,8 +72,8 @@ export class LiveContour {
   /** @param {unknown} given */
   set(given) {
     const options = isPlain(given) ? { ...this.#options, ...given } : given;
-    const { side, radius, settings, chord } = liveOptions(options);
-    this.#handle.use((raw, glue) => raw.set(side, radius, new glue.Settings(...settings), chord));
+    const { settings, chord } = liveOptions(options);
+    this.#handle.use((raw, glue) => raw.set(new glue.Settings(...settings), chord));
     this.#options = /** @type {Record<string, unknown>} */ (options);
   }
 
@@ -105,6 +96,21 @@ export class LiveContour {
     });
   }
 
+  /**
+   * @param {keyof typeof import("./g41.js").Edit} what
+   * @param {number} segment
+   * @param {number} index
+   * @param {number} x
+   * @param {number} y
+   */
+  #edit(what, segment, index, x, y) {
+    whole(segment, "segment");
+    whole(index, "index");
+    finite(x, () => "x");
+    finite(y, () => "y");
+    this.#handle.use((raw, { Edit }) => raw.edit(Edit[what], segment, index, x, y));
+  }
+
   path() {
     return this.#handle.use((raw) => new ToolPath(() => raw.path()));
   }
@@ -113,21 +119,6 @@ export class LiveContour {
   [Symbol.dispose]() {
     this.#handle.dispose();
   }
-}
-
-/**
- * Checks the place of an edit, as far as it does not depend on the contour.
- *
- * @param {unknown} segment
- * @param {unknown} index
- * @param {unknown} x
- * @param {unknown} y
- */
-function place(segment, index, x, y) {
-  whole(segment, "segment");
-  whole(index, "index");
-  finite(x, () => "x");
-  finite(y, () => "y");
 }
 
 /**

@@ -4,14 +4,13 @@ use glam::DVec2;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::argument::BadArgument;
-use super::compensate::missing;
 use super::contour_records::{read_contours, read_segment};
-use super::names::{SideName, side};
+use super::names::Edit;
 use super::numbering::Numbering;
 use super::settings::Settings;
 use super::tool_path::ToolPathHandle;
 use crate::compensation::{EditError, LiveContour};
-use crate::contour::{Side, Tool};
+use crate::contour::Side;
 use crate::simulation::Profile;
 
 /// A contour that is edited; `LiveContour` of `types.d.ts` holds one.
@@ -25,25 +24,19 @@ pub struct LiveHandle {
 
 #[wasm_bindgen]
 impl LiveHandle {
-    /// Takes the contour of `records`, and what `compensateContours` takes; the chords of
+    /// Takes the contour of `records` and the settings that `compensateContours` takes; the chords of
     /// polylines are within `chord` [mm] of their curves.
     ///
     /// # Errors
     /// Where a record is wrong, there is not one contour, or it is left without a side or a radius.
     #[wasm_bindgen(constructor)]
-    pub fn new(
-        records: &[f64],
-        side_name: Option<SideName>,
-        radius: Option<f64>,
-        settings: Settings,
-        chord: f64,
-    ) -> Result<Self, BadArgument> {
+    pub fn new(records: &[f64], settings: Settings, chord: f64) -> Result<Self, BadArgument> {
         let (mut contours, _) = read_contours(records)?;
         let (Some(contour), true) = (contours.pop(), contours.is_empty()) else {
             return Err(BadArgument::new("contour", "be one contour"));
         };
         let own = (contour.side, contour.radius);
-        let tool = tool(own, side_name, radius)?;
+        let tool = settings.tool(own.0, own.1)?;
         let (described, closed) = contour.into_builder();
         let live = LiveContour::new(
             described,
@@ -59,61 +52,33 @@ impl LiveHandle {
     ///
     /// # Errors
     /// Where there is no side or no radius.
-    pub fn set(
-        &mut self,
-        side_name: Option<SideName>,
-        radius: Option<f64>,
-        settings: Settings,
-        chord: f64,
-    ) -> Result<(), BadArgument> {
-        let tool = tool(self.own, side_name, radius)?;
+    pub fn set(&mut self, settings: Settings, chord: f64) -> Result<(), BadArgument> {
+        let tool = settings.tool(self.own.0, self.own.1)?;
         self.live.set(tool, settings.into_options(Profile::default()), chord);
         Ok(())
     }
 
-    /// Moves the start [mm].
-    #[wasm_bindgen(js_name = moveStart)]
-    pub fn move_start(&mut self, x: f64, y: f64) {
-        self.live.move_start(DVec2::new(x, y));
-    }
-
-    /// Moves a point [mm].
+    /// Moves, inserts or removes a point, [mm]; the start and what is removed need no place of their
+    /// own.
     ///
     /// # Errors
-    /// Where there is none.
-    #[wasm_bindgen(js_name = movePoint)]
-    pub fn move_point(
+    /// Where there is none, or no place for one.
+    pub fn edit(
         &mut self,
+        edit: Edit,
         segment: usize,
         index: usize,
         x: f64,
         y: f64,
     ) -> Result<(), BadArgument> {
-        Ok(self.live.move_point(segment, index, DVec2::new(x, y))?)
-    }
-
-    /// Inserts a type point [mm].
-    ///
-    /// # Errors
-    /// Where there is no place for one.
-    #[wasm_bindgen(js_name = insertPoint)]
-    pub fn insert_point(
-        &mut self,
-        segment: usize,
-        index: usize,
-        x: f64,
-        y: f64,
-    ) -> Result<(), BadArgument> {
-        Ok(self.live.insert_point(segment, index, DVec2::new(x, y))?)
-    }
-
-    /// Removes a type point.
-    ///
-    /// # Errors
-    /// Where there is none that can be removed.
-    #[wasm_bindgen(js_name = removePoint)]
-    pub fn remove_point(&mut self, segment: usize, index: usize) -> Result<(), BadArgument> {
-        Ok(self.live.remove_point(segment, index)?)
+        let point = DVec2::new(x, y);
+        match edit {
+            Edit::MoveStart => self.live.move_start(point),
+            Edit::MovePoint => self.live.move_point(segment, index, point)?,
+            Edit::InsertPoint => self.live.insert_point(segment, index, point)?,
+            Edit::RemovePoint => self.live.remove_point(segment, index)?,
+        }
+        Ok(())
     }
 
     /// Changes a segment into that of a record.
@@ -157,17 +122,6 @@ impl LiveHandle {
     pub fn path(&self) -> ToolPathHandle {
         ToolPathHandle::new(self.live.path(), Numbering::plain())
     }
-}
-
-/// The tool that options ask for, or else the contour.
-fn tool(
-    (own_side, own_radius): (Option<Side>, Option<f64>),
-    side_name: Option<SideName>,
-    radius: Option<f64>,
-) -> Result<Tool, BadArgument> {
-    let side = side_name.and_then(side).or(own_side).ok_or_else(|| missing("options.side"))?;
-    let radius = radius.or(own_radius).ok_or_else(|| missing("options.radius"))?;
-    Tool::new(radius, side).ok_or_else(|| BadArgument::new("options.radius", "be at most 1e7 mm"))
 }
 
 impl From<EditError> for BadArgument {

@@ -9,6 +9,7 @@
 mod argument;
 mod compensate;
 mod contour_records;
+mod emit_settings;
 mod json;
 mod judge;
 mod live;
@@ -26,10 +27,14 @@ mod tool_path;
 
 pub use argument::BadArgument;
 pub use compensate::{compensate_contours, flatten_contours};
+pub use emit_settings::EmitSettings;
 pub use judge::check_contours;
 pub use live::LiveHandle;
 pub use move_records::STRIDE as RECORD_STRIDE;
-pub use names::{CornerName, DialectName, GougeName, LeadName, ProfileName, SideName, SplineName};
+pub use names::{
+    CornerName, DialectName, Edit, GougeName, LeadName, List, OutputName, ParameterName,
+    ProfileName, SideName, SplineName, TargetName, WrittenName,
+};
 pub use numbering::Numbering;
 pub use polylines_handle::PolylinesHandle;
 pub use program::ProgramHandle;

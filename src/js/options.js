@@ -78,18 +78,14 @@ export function tolerance(value) {
 /** @param {unknown} given */
 export function contourOptions(given = {}) {
   const options = object(given, contourKeys, here);
-  return {
-    side: optional(options.side, (value) => oneOf(value, sides, at("side"))),
-    radius: optional(options.radius, radius, at("radius")),
-    settings: settings(options),
-  };
+  return settings(options);
 }
 
 /** @param {unknown} given */
 export function liveOptions(given = {}) {
   const { chordTolerance, ...options } = object(given, liveKeys, here);
   const chord = optional(chordTolerance, toleranceAt, at("chordTolerance")) ?? defaultTolerance;
-  return { ...contourOptions(options), chord };
+  return { settings: contourOptions(options), chord };
 }
 
 /** @param {unknown} given */
@@ -97,7 +93,6 @@ export function programOptions(given = {}) {
   const options = object(given, programKeys, here);
   return {
     tools: optional(options.tools, packTools) ?? new Float64Array(),
-    radius: optional(options.radius, radius, at("radius")),
     settings: settings(options),
   };
 }
@@ -124,34 +119,33 @@ function checkOptions(options) {
   };
 }
 
-/** @param {unknown} given */
+/**
+ * The options of reading a program, in the order of the core's arguments.
+ *
+ * @param {unknown} given
+ */
 export function parseOptions(given = {}) {
   const options = object(given, parseKeys, here);
-  const parameter = optional(options.splineParameter, (value) =>
-    oneOf(value, parameters, at("splineParameter")),
-  );
-  return {
-    dialect: optional(options.dialect, (value) => oneOf(value, dialects, at("dialect"))),
-    profile: profile(options),
-    blockDelete: optional(options.blockDelete, truth, at("blockDelete")) ?? false,
-    centripetal: parameter === "centripetal",
-    curveTolerance:
-      optional(options.curveTolerance, toleranceAt, at("curveTolerance")) ?? defaultCurveTolerance,
-  };
+  return /** @type {const} */ ([
+    optional(options.dialect, (value) => oneOf(value, dialects, at("dialect"))),
+    profile(options),
+    optional(options.blockDelete, truth, at("blockDelete")) ?? false,
+    optional(options.splineParameter, (value) => oneOf(value, parameters, at("splineParameter"))),
+    optional(options.curveTolerance, toleranceAt, at("curveTolerance")) ?? defaultCurveTolerance,
+  ]);
 }
 
 /**
- * The options of writing a program, in the order of the core's arguments.
+ * The options that make up `EmitSettings` of the core, in the order of its constructor.
  *
  * @param {unknown} given
  */
 export function gcodeOptions(given = {}) {
   const options = object(given, gcodeKeys, here);
-  const splines = optional(options.splines, (value) => oneOf(value, written, at("splines")));
   return /** @type {const} */ ([
-    optional(options.target, (value) => oneOf(value, targets, at("target"))) ?? "grbl",
+    optional(options.target, (value) => oneOf(value, targets, at("target"))),
     optional(options.tolerance, toleranceAt, at("tolerance")) ?? defaultTolerance,
-    splines === "native",
+    optional(options.splines, (value) => oneOf(value, written, at("splines"))),
     optional(options.feed, positive, at("feed")),
     optional(options.clearance, finite, at("clearance")),
     optional(options.explain, (value) => truth(value, at("explain"))) ?? false,
@@ -166,6 +160,9 @@ export function gcodeOptions(given = {}) {
 function settings(options) {
   const gouge = optional(options.gouge, (value) => oneOf(value, gouges, at("gouge")));
   return /** @type {const} */ ([
+    // That of a program is no option, which has been seen to.
+    optional(options.side, (value) => oneOf(value, sides, at("side"))),
+    optional(options.radius, radius, at("radius")),
     profile(options),
     optional(options.tolerance, toleranceAt, at("tolerance"), finestPath),
     optional(options.spline, (value) => oneOf(value, splines, at("spline"))),

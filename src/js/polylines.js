@@ -1,4 +1,22 @@
 // Unpacks polylines.
+import { tolerance } from "./options.js";
+
+/** @typedef {import("./g41.js").ProgramHandle | import("./g41.js").ToolPathHandle} Raw */
+
+/**
+ * The polylines of what a handle holds.
+ *
+ * @param {import("./lifecycle.js").Handle<Raw>} handle
+ * @param {number} [within]
+ * @returns {import("./types.d.ts").Polylines}
+ */
+export function polylinesOf(handle, within) {
+  const chord = tolerance(within);
+  const { diagnostics: _, ...polylines } = handle.use((raw) =>
+    unpackPolylines(raw.polylines(chord)),
+  );
+  return polylines;
+}
 
 /**
  * @param {import("./g41.js").PolylinesHandle} raw is freed

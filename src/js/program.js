@@ -1,7 +1,7 @@
 // A program as its user sees it: what the WebAssembly holds, unpacked when it is asked for.
+import { emitted } from "./gcode.js";
 import { Handle } from "./lifecycle.js";
-import { gcodeOptions, tolerance } from "./options.js";
-import { unpackPolylines } from "./polylines.js";
+import { polylinesOf } from "./polylines.js";
 
 /** @typedef {import("./types.d.ts").Program} Face */
 /** @typedef {import("./lifecycle.js").Glue} Glue */
@@ -51,20 +51,12 @@ export class Program {
 
   /** @param {number} [within] */
   polylines(within) {
-    const chord = tolerance(within);
-    const { diagnostics: _, ...polylines } = this.#handle.use((raw) =>
-      unpackPolylines(raw.polylines(chord)),
-    );
-    return polylines;
+    return polylinesOf(this.#handle, within);
   }
 
   /** @param {import("./types.d.ts").GcodeOptions} [options] */
   emit(options) {
-    const given = gcodeOptions(options);
-    const [text, diagnostics] = /** @type {[string, string]} */ (
-      this.#handle.use((raw) => raw.emit(...given))
-    );
-    return { text, diagnostics: JSON.parse(diagnostics) };
+    return emitted(this.#handle, options);
   }
 
   /** @param {import("./types.d.ts").GcodeOptions} [options] */

@@ -3,12 +3,13 @@
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::argument::BadArgument;
+use super::emit_settings::EmitSettings;
 use super::numbering::Numbering;
 use super::polylines::Polylines;
 use super::polylines_handle::PolylinesHandle;
 use super::programmed::contours_json;
 use super::report::{diagnostics_json, gouges_json};
-use super::tool_path::{ToolPathHandle, emit_options, written};
+use super::tool_path::ToolPathHandle;
 use crate::program::{Interpretation, Item, ProgrammedContour, RadiusSource, programmed_path};
 use crate::simulation::{ListedTool, Profile, ToolSize, Tools, check_program};
 
@@ -88,19 +89,10 @@ impl ProgramHandle {
     }
 
     /// `[text, diagnostics as JSON]` of the program as it is programmed, compensation left to the
-    /// control; the arguments are those of `ToolPathHandle.emit`.
+    /// control.
     #[must_use]
-    pub fn emit(
-        &self,
-        target: &str,
-        tolerance: f64,
-        native: bool,
-        feed: Option<f64>,
-        clearance: Option<f64>,
-        explain: bool,
-    ) -> Vec<String> {
-        let options = emit_options(target, tolerance, native, feed, clearance, explain);
-        written(&programmed_path(&self.interpretation), &options, &Numbering::plain())
+    pub fn emit(&self, settings: EmitSettings) -> Vec<String> {
+        settings.write(&programmed_path(&self.interpretation), &Numbering::plain())
     }
 
     /// The gouges of `path`, as JSON; what is less deep than `tolerance` [mm] is none. The tools are

@@ -2,19 +2,22 @@
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
+use super::argument::BadArgument;
 use super::names::{
-    CornerName, GougeName, LeadName, OutputName, ProfileName, SplineName, corner_style,
-    gouge_policy, lead_style, output, profile, spline_method,
+    CornerName, GougeName, LeadName, OutputName, ProfileName, SideName, SplineName,
 };
 use crate::compensation::{
     CornerStyle, GougePolicy, LeadStyle, Options, Output, Passes, SplineMethod, TangentBand,
 };
+use crate::contour::{Side, Tool};
 use crate::simulation::Profile;
 
 /// The options of a compensation as they are given; the rest is the profile's.
 #[wasm_bindgen]
 #[derive(Debug, Clone)]
 pub struct Settings {
+    side: Option<Side>,
+    radius: Option<f64>,
     profile: Option<Profile>,
     tolerance: Option<f64>,
     spline: Option<SplineMethod>,
@@ -28,7 +31,7 @@ pub struct Settings {
 
 #[wasm_bindgen]
 impl Settings {
-    /// Takes `tolerance` [mm] and `tangent_band` [rad]; a negative band is the automatic one. With a
+    /// Takes a tool's `radius` [mm], `tolerance` [mm] and `tangent_band` [rad]; a negative band is the automatic one. With a
     /// `stepover` [mm] there are `passes`, or as many as there is room for.
     #[wasm_bindgen(constructor)]
     #[must_use]
@@ -37,10 +40,12 @@ impl Settings {
         reason = "an argument of the boundary is cheaper than a setter"
     )]
     pub fn new(
-        profile_name: Option<ProfileName>,
+        side: Option<SideName>,
+        radius: Option<f64>,
+        profile: Option<ProfileName>,
         tolerance: Option<f64>,
         spline: Option<SplineName>,
-        output_name: Option<OutputName>,
+        output: Option<OutputName>,
         corner: Option<CornerName>,
         lead: Option<LeadName>,
         tangent_band: Option<f64>,
@@ -53,14 +58,16 @@ impl Settings {
             _ => TangentBand::Auto,
         };
         Self {
-            profile: profile_name.and_then(profile),
+            side: side.and_then(SideName::meaning),
+            radius,
+            profile: profile.and_then(ProfileName::meaning),
             tolerance,
-            spline: spline.and_then(spline_method),
-            output: output_name.and_then(output),
-            corner: corner.and_then(corner_style),
-            lead: lead.and_then(lead_style),
+            spline: spline.and_then(SplineName::meaning),
+            output: output.and_then(OutputName::meaning),
+            corner: corner.and_then(CornerName::meaning),
+            lead: lead.and_then(LeadName::meaning),
             tangent_band: tangent_band.map(band),
-            gouge: gouge.and_then(gouge_policy),
+            gouge: gouge.and_then(GougeName::meaning),
             passes: match (passes, stepover) {
                 (_, None) => Passes::One,
                 (Some(count), Some(stepover)) => Passes::Several { count, stepover },
@@ -71,6 +78,23 @@ impl Settings {
 }
 
 impl Settings {
+    /// The radius of tools that are not listed [mm].
+    pub(super) fn radius(&self) -> Option<f64> {
+        self.radius
+    }
+
+    /// The tool of a contour that says this of it.
+    pub(super) fn tool(
+        &self,
+        own_side: Option<Side>,
+        own_radius: Option<f64>,
+    ) -> Result<Tool, BadArgument> {
+        let side = self.side.or(own_side).ok_or_else(|| missing("options.side"))?;
+        let radius = self.radius.or(own_radius).ok_or_else(|| missing("options.radius"))?;
+        Tool::new(radius, side)
+            .ok_or_else(|| BadArgument::new("options.radius", "be at most 1e7 mm"))
+    }
+
     /// What the core takes, where no other profile is named than `profile`.
     pub(super) fn into_options(self, profile: Profile) -> Options {
         let base = self.profile.unwrap_or(profile).options();
@@ -85,4 +109,8 @@ impl Settings {
             passes: self.passes,
         }
     }
+}
+
+fn missing(path: &str) -> BadArgument {
+    BadArgument::new(path, "be given, since the contour does not say it")
 }

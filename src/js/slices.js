@@ -25,11 +25,8 @@ export class ProgramReader {
     if (typeof text !== "string") {
       bad(() => "text", "be a string");
     }
-    const { dialect, profile, blockDelete, centripetal, curveTolerance } = parseOptions(options);
-    this.#handle = new Handle(
-      (glue) =>
-        new glue.ReaderHandle(text, dialect, profile, blockDelete, centripetal, curveTolerance),
-    );
+    const given = parseOptions(options);
+    this.#handle = new Handle((glue) => new glue.ReaderHandle(text, ...given));
   }
 
   get progress() {
@@ -68,12 +65,12 @@ export class ProgramCompensation {
     if (!(program instanceof Program)) {
       bad(() => "program", "be a program that parseProgram or a ProgramReader has made");
     }
-    const { tools, radius, settings } = programOptions(options);
+    const { tools, settings } = programOptions(options);
     this.#program = program;
     this.#handle = new Handle((glue) =>
       useProgram(
         program,
-        (raw) => new glue.CompensationHandle(raw, tools, radius, new glue.Settings(...settings)),
+        (raw) => new glue.CompensationHandle(raw, tools, new glue.Settings(...settings)),
       ),
     );
   }

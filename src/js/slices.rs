@@ -2,12 +2,11 @@
 
 use wasm_bindgen::prelude::wasm_bindgen;
 
-use super::names::{DialectName, ProfileName, dialect, profile};
+use super::names::{DialectName, ParameterName, ProfileName};
 use super::numbering::Numbering;
 use super::program::{ProgramHandle, tool_table};
 use super::settings::Settings;
 use super::tool_path::ToolPathHandle;
-use crate::geometry::Parameter;
 use crate::program::{Program, Rules, RunOptions, Runner};
 use crate::simulation::{Profile, ProgramCompensation};
 
@@ -26,15 +25,15 @@ impl ReaderHandle {
     #[must_use]
     pub fn new(
         text: String,
-        dialect_name: Option<DialectName>,
-        profile_name: Option<ProfileName>,
+        dialect: Option<DialectName>,
+        profile: Option<ProfileName>,
         block_delete: bool,
-        centripetal: bool,
+        parameter: Option<ParameterName>,
         curve_tolerance: f64,
     ) -> Self {
-        let dialect = dialect_name.and_then(dialect).unwrap_or_default();
-        let profile = profile_name.and_then(profile).unwrap_or_default();
-        let parameter = if centripetal { Parameter::Centripetal } else { Parameter::Chord };
+        let dialect = dialect.and_then(DialectName::meaning).unwrap_or_default();
+        let profile = profile.and_then(ProfileName::meaning).unwrap_or_default();
+        let parameter = parameter.and_then(ParameterName::meaning).unwrap_or_default();
         let rules = Rules { block_delete, parameter, curve_tolerance, ..profile.rules() };
         let program = Program::from_text(text, dialect);
         let runner = Runner::new(&program, RunOptions { rules, ..RunOptions::default() });
@@ -68,17 +67,12 @@ pub struct CompensationHandle {
 
 #[wasm_bindgen]
 impl CompensationHandle {
-    /// A program before its first block, with `tools`, as `tools.js` packs them, and `radius` for
-    /// all others.
+    /// A program before its first block, with `tools`, as `tools.js` packs them, and that of
+    /// `settings` for all others.
     #[wasm_bindgen(constructor)]
     #[must_use]
-    pub fn new(
-        program: &ProgramHandle,
-        tools: &[f64],
-        radius: Option<f64>,
-        settings: Settings,
-    ) -> Self {
-        let tools = tool_table(tools, radius);
+    pub fn new(program: &ProgramHandle, tools: &[f64], settings: Settings) -> Self {
+        let tools = tool_table(tools, settings.radius());
         let options = settings.into_options(program.profile());
         let compensation = ProgramCompensation::new(program.interpretation(), tools, &options);
         Self { compensation }

@@ -1,10 +1,10 @@
 // The tool path as its user sees it: what the WebAssembly holds, unpacked when it is asked for.
 import { bad } from "./check.js";
 import { drawOn, svgData } from "./draw.js";
+import { emitted } from "./gcode.js";
 import { coded, Handle } from "./lifecycle.js";
 import { unpackMoves } from "./moves.js";
-import { gcodeOptions, tolerance } from "./options.js";
-import { unpackPolylines } from "./polylines.js";
+import { polylinesOf } from "./polylines.js";
 
 /** @typedef {import("./types.d.ts").ToolPath} Face */
 /** @typedef {import("./lifecycle.js").Glue} Glue */
@@ -52,28 +52,39 @@ export class ToolPath {
   }
 
   get transitions() {
-    this.#transitions ??= JSON.parse(this.#handle.use((raw) => raw.transitions(0, everything)));
+    this.#transitions ??= this.#list("Transitions");
     return /** @type {Face["transitions"]} */ (this.#transitions);
   }
 
   get diagnostics() {
-    this.#diagnostics ??= JSON.parse(this.#handle.use((raw) => raw.diagnostics()));
+    this.#diagnostics ??= this.#list("Diagnostics");
     return /** @type {Face["diagnostics"]} */ (this.#diagnostics);
   }
 
   get gouges() {
-    this.#gouges ??= JSON.parse(this.#handle.use((raw) => raw.gouges()));
+    this.#gouges ??= this.#list("Gouges");
     return /** @type {Face["gouges"]} */ (this.#gouges);
   }
 
   get loops() {
-    this.#loops ??= JSON.parse(this.#handle.use((raw) => raw.loops()));
+    this.#loops ??= this.#list("Loops");
     return /** @type {Face["loops"]} */ (this.#loops);
   }
 
   get uncut() {
-    this.#uncut ??= this.#handle.use((raw) => unpackUncut(raw.uncut(), raw.outlines()));
+    this.#uncut ??= unpackUncut(
+      this.#list("Uncut"),
+      this.#handle.use((raw) => raw.outlines()),
+    );
     return this.#uncut;
+  }
+
+  /**
+   * @param {keyof typeof import("./g41.js").List} name
+   * @returns {any[]}
+   */
+  #list(name) {
+    return JSON.parse(this.#handle.use((raw, { List }) => raw.report(List[name], 0, everything)));
   }
 
   get count() {
@@ -100,11 +111,7 @@ export class ToolPath {
 
   /** @param {number} [within] */
   polylines(within) {
-    const chord = tolerance(within);
-    const { diagnostics: _, ...polylines } = this.#handle.use((raw) =>
-      unpackPolylines(raw.polylines(chord)),
-    );
-    return polylines;
+    return polylinesOf(this.#handle, within);
   }
 
   /** @returns {any} `Path2D`, which the types name only where the environment has it */
@@ -121,11 +128,7 @@ export class ToolPath {
 
   /** @param {import("./types.d.ts").GcodeOptions} [options] */
   emit(options) {
-    const given = gcodeOptions(options);
-    const [text, diagnostics] = /** @type {[string, string]} */ (
-      this.#handle.use((raw) => raw.emit(...given))
-    );
-    return { text, diagnostics: JSON.parse(diagnostics) };
+    return emitted(this.#handle, options);
   }
 
   /** @param {import("./types.d.ts").GcodeOptions} [options] */
@@ -152,13 +155,12 @@ function index(value, name) {
 /**
  * Puts regions and their outlines together.
  *
- * @param {string} json the regions, with the number of vertices in the place of each outline
+ * @param {(Omit<Face["uncut"][number], "outline"> & { vertices: number })[]} regions with the
+ *   number of vertices in the place of each outline
  * @param {Float64Array} outlines one after the other
  * @returns {Face["uncut"]}
  */
-function unpackUncut(json, outlines) {
-  /** @type {(Omit<Face["uncut"][number], "outline"> & { vertices: number })[]} */
-  const regions = JSON.parse(json);
+function unpackUncut(regions, outlines) {
   let from = 0;
   return regions.map(({ vertices, ...region }) => {
     const outline = outlines.slice(from, from + 2 * vertices);

@@ -3,13 +3,14 @@
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::argument::BadArgument;
-use super::move_records::{move_records, per_second};
+use super::emit_settings::EmitSettings;
+use super::move_records::move_records;
+use super::names::List;
 use super::numbering::Numbering;
 use super::polylines::Polylines;
 use super::polylines_handle::PolylinesHandle;
 use super::report::{diagnostics_json, gouges_json, loops_json, transitions_json, uncut_json};
 use crate::contour::ToolPath;
-use crate::program::{EmitOptions, Emitted, SplineOutput, Target, emit};
 
 /// A tool path; `ToolPath` of `types.d.ts` holds one.
 #[wasm_bindgen]
@@ -45,34 +46,17 @@ impl ToolPathHandle {
         move_records(part(&self.path.moves, from, to), &self.numbering)
     }
 
-    /// `transitions` from one index to another, as JSON.
+    /// The items of a list from one index to another, as JSON; regions without their outlines.
     #[must_use]
-    pub fn transitions(&self, from: usize, to: usize) -> String {
-        transitions_json(part(&self.path.transitions, from, to), &self.numbering)
-    }
-
-    /// `diagnostics` as JSON.
-    #[must_use]
-    pub fn diagnostics(&self) -> String {
-        diagnostics_json(&self.path.diagnostics, &self.numbering)
-    }
-
-    /// `gouges` as JSON.
-    #[must_use]
-    pub fn gouges(&self) -> String {
-        gouges_json(&self.path.gouges, &self.numbering)
-    }
-
-    /// `loops` as JSON.
-    #[must_use]
-    pub fn loops(&self) -> String {
-        loops_json(&self.path.loops)
-    }
-
-    /// `uncut` as JSON, its outlines apart.
-    #[must_use]
-    pub fn uncut(&self) -> String {
-        uncut_json(&self.path.uncut, &self.numbering)
+    pub fn report(&self, list: List, from: usize, to: usize) -> String {
+        let Self { path, numbering } = self;
+        match list {
+            List::Transitions => transitions_json(part(&path.transitions, from, to), numbering),
+            List::Diagnostics => diagnostics_json(part(&path.diagnostics, from, to), numbering),
+            List::Gouges => gouges_json(part(&path.gouges, from, to), numbering),
+            List::Loops => loops_json(part(&path.loops, from, to)),
+            List::Uncut => uncut_json(part(&path.uncut, from, to), numbering),
+        }
     }
 
     /// The outlines of `uncut`, one after the other: `x0, y0, x1, y1, …`.
@@ -95,50 +79,11 @@ impl ToolPathHandle {
         Ok(PolylinesHandle::new(Polylines::of_moves(&self.path.moves, tolerance)?))
     }
 
-    /// `[text, diagnostics as JSON]` of the path as a program for `target`, within `tolerance`
-    /// [mm], with `feed` [mm/min] where none is programmed, and `clearance` [mm] between pieces.
+    /// `[text, diagnostics as JSON]` of the path as a program.
     #[must_use]
-    pub fn emit(
-        &self,
-        target: &str,
-        tolerance: f64,
-        native: bool,
-        feed: Option<f64>,
-        clearance: Option<f64>,
-        explain: bool,
-    ) -> Vec<String> {
-        let options = emit_options(target, tolerance, native, feed, clearance, explain);
-        written(&self.path, &options, &self.numbering)
+    pub fn emit(&self, settings: EmitSettings) -> Vec<String> {
+        settings.write(&self.path, &self.numbering)
     }
-}
-
-/// The options of writing a program, as JavaScript gives them.
-pub(super) fn emit_options(
-    target: &str,
-    tolerance: f64,
-    native: bool,
-    feed: Option<f64>,
-    clearance: Option<f64>,
-    explain: bool,
-) -> EmitOptions {
-    EmitOptions {
-        target: Target::named(target).unwrap_or_default(),
-        tolerance,
-        splines: if native { SplineOutput::Native } else { SplineOutput::Arcs },
-        feed: feed.map(per_second),
-        clearance,
-        explain,
-    }
-}
-
-/// `[text, diagnostics as JSON]` of a path as a program.
-pub(super) fn written(
-    path: &ToolPath,
-    options: &EmitOptions,
-    numbering: &Numbering,
-) -> Vec<String> {
-    let Emitted { text, diagnostics } = emit(path, options);
-    vec![text, diagnostics_json(&diagnostics, numbering)]
 }
 
 /// The items from one index to another, as far as there are any.

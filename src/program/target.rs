@@ -37,26 +37,6 @@ impl Target {
         Self::Fanuc6M,
     ];
 
-    /// Its name as an option.
-    #[must_use]
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Grbl => "grbl",
-            Self::GrblHal => "grblhal",
-            Self::LinuxCnc => "linuxcnc",
-            Self::Smoothieware => "smoothieware",
-            Self::Marlin => "marlin",
-            Self::Fanuc0M => "fanuc-0m",
-            Self::Fanuc6M => "fanuc-6m",
-        }
-    }
-
-    /// The target of a name.
-    #[must_use]
-    pub fn named(name: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|target| target.name() == name)
-    }
-
     pub(super) fn facts(self) -> &'static Facts {
         match self {
             Self::Grbl => &GRBL,
@@ -235,13 +215,6 @@ static FANUC_6M: Facts = Facts {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn every_target_has_a_name_of_its_own() {
-        for (i, target) in Target::ALL.into_iter().enumerate() {
-            assert!(Target::ALL[..i].iter().all(|t| t.name() != target.name()), "{target:?}");
-        }
-    }
 
     #[test]
     fn words_are_known_by_their_whole_number() {

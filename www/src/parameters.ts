@@ -47,7 +47,10 @@ export interface ChoiceParameter {
   /** The side is a word of the program, all else are settings. */
   readonly key: "side" | "corner" | "spline" | "gouge" | "passes";
   readonly label: string;
-  readonly choices: readonly { value: string; label: string; detail?: string }[];
+  /** What each value is called. */
+  readonly choices: Readonly<Record<string, string>>;
+  /** What some of them are besides. */
+  readonly details?: Readonly<Record<string, string>>;
   readonly hint: string;
   readonly matters?: (settings: Settings) => boolean;
 }
@@ -87,52 +90,36 @@ export const PARAMETERS: readonly Parameter[] = [
     kind: "choice",
     key: "side",
     label: "Side",
-    choices: [
-      { value: "left", label: "Left", detail: "G41" },
-      { value: "right", label: "Right", detail: "G42" },
-    ],
+    choices: { left: "Left", right: "Right" },
+    details: { left: "G41", right: "G42" },
     hint: "The side of the contour on which the tool runs, seen along its motion",
   },
   {
     kind: "choice",
     key: "corner",
     label: "Outside corners",
-    choices: [
-      { value: "profile", label: "Profile" },
-      { value: "linear", label: "Linear" },
-      { value: "arc", label: "Arc" },
-    ],
+    choices: { profile: "Profile", linear: "Linear", arc: "Arc" },
     hint: "What is inserted at an outside corner: what the profile inserts, straight moves, or an arc",
   },
   {
     kind: "choice",
     key: "spline",
     label: "Splines",
-    choices: [
-      { value: "exact", label: "Exact" },
-      { value: "type-points", label: "Type points" },
-    ],
+    choices: { exact: "Exact", "type-points": "Type points" },
     hint: "Exact: the equidistant within the tolerance. Type points: the spline through the moved type points",
   },
   {
     kind: "choice",
     key: "gouge",
     label: "Gouges",
-    choices: [
-      { value: "report", label: "Report" },
-      { value: "avoid", label: "Avoid" },
-      { value: "stop", label: "Stop" },
-    ],
+    choices: { report: "Report", avoid: "Avoid", stop: "Stop" },
     hint: "Where the tool does not fit. Report: it cuts too deep, and that is said. Avoid: it keeps clear, and what it leaves is shown. Stop: there is no path",
   },
   {
     kind: "choice",
     key: "passes",
     label: "Passes",
-    choices: [
-      { value: "one", label: "One" },
-      { value: "all", label: "Clear the pocket" },
-    ],
+    choices: { one: "One", all: "Clear the pocket" },
     hint: "One: along the contour. Clear the pocket: more of them inside, until there is no room left",
     matters: ({ gouge }) => gouge === "avoid",
   },

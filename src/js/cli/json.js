@@ -21,7 +21,9 @@ export function* jsonPieces(path, progress) {
   });
   yield '],\n"transitions":[';
   // The core writes them as JSON, of which all but the brackets is taken.
-  yield* list((from, to) => useToolPath(path, (raw) => raw.transitions(from, to)).slice(1, -1));
+  yield* list((from, to) =>
+    useToolPath(path, (raw, { List }) => raw.report(List.Transitions, from, to)).slice(1, -1),
+  );
   yield '],\n"diagnostics":[';
   yield* list((from, to) => {
     const some = path.diagnostics.slice(from, to);

@@ -58,15 +58,17 @@ export class Choice {
   constructor(
     name: string,
     legend: string,
-    choices: readonly { value: string; label: string; detail?: string }[],
+    choices: Readonly<Record<string, string>>,
     onChoose: (value: string) => void,
+    details: Readonly<Record<string, string>> = {},
   ) {
     this.root = element("fieldset", { class: "choice" }, element("legend", {}, legend));
     const row = element("div", { class: "choice-row" });
-    this.#inputs = choices.map(({ value, label, detail }) => {
+    this.#inputs = Object.entries(choices).map(([value, label]) => {
       const input = element("input", { type: "radio", name, value });
       input.addEventListener("change", () => onChoose(value));
       const text = element("span", {}, label);
+      const detail = details[value];
       if (detail) text.append(" ", element("small", {}, detail));
       row.append(element("label", {}, input, text));
       return input;

@@ -47,11 +47,12 @@ export function parametersPanel(form: HTMLElement, store: Store): void {
 }
 
 function choiceRow(row: HTMLElement, parameter: ChoiceParameter, store: Store): () => void {
-  const { key, label, choices } = parameter;
-  const choice = new Choice(key, label, choices, (value) => {
+  const { key, label, choices, details } = parameter;
+  const choose = (value: string) => {
     if (key === "side") setSide(store, value as "left" | "right");
     else setSettings(store, { [key]: value } as Partial<Settings>);
-  });
+  };
+  const choice = new Choice(key, label, choices, choose, details);
   row.append(choice.root);
   return () => {
     const side = store.document.part.contours[0]?.side ?? store.state.result?.contours[0]?.side;

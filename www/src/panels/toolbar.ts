@@ -34,11 +34,7 @@ export function toolbar(bar: HTMLElement, stage: Stage, store: Store): void {
   const kind = new Choice(
     "kind",
     "Kind of segment",
-    [
-      { value: "line", label: "Line" },
-      { value: "arc", label: "Arc" },
-      { value: "spline", label: "Spline" },
-    ],
+    { line: "Line", arc: "Arc", spline: "Spline" },
     (value) => {
       const { selection } = store.state;
       if (selection) {
