@@ -384,3 +384,44 @@ fn a_subprogram_called_at_two_places_is_judged_place_by_place() {
     let found = check_program(&read, &swapped, &tools, 1e-3);
     assert!(!found.is_empty(), "held against each other they are too near");
 }
+
+/// A plate as programmers begin and end it: before a corner and behind it.
+const OVERRUN: &str =
+    "G21 G90\nG0 X-30 Y-20\nG1 G41 D1 X0 Y-5 F400\nY60\nX80\nY0\nX-10\nG40 X-30 Y-20\n";
+
+#[test]
+fn ends_that_run_over_a_corner_are_no_walls() {
+    let read = interpret(&Program::parse(OVERRUN, Dialect::Auto), Rules::default());
+    let tools = Tools::all(4.0);
+    for gouge in [GougePolicy::Report, GougePolicy::Stop, GougePolicy::Avoid] {
+        let path = compensate_program(&read, &tools, &Options { gouge, ..Options::default() });
+        assert_eq!(codes(&path), [], "{gouge:?}: {:?}", path.diagnostics);
+        assert_eq!(path.gouges, [], "{gouge:?}");
+        assert_eq!(check_program(&read, &path, &tools, 1e-3), [], "{gouge:?}");
+        let y = path.moves.iter().map(|step| step.curve.end().y).fold(0.0, f64::max);
+        assert_eq!(y, 64.0, "{gouge:?}: beside the part");
+    }
+}
+
+#[test]
+fn ends_that_cross_in_the_part_still_cut_it() {
+    // The same the other way round: the tool is inside, and its ends cross outside the pocket's wall.
+    let inside = OVERRUN.replace("G41", "G42");
+    let read = interpret(&Program::parse(&inside, Dialect::Auto), Rules::default());
+    let tools = Tools::all(4.0);
+    let path = compensate_program(&read, &tools, &Options::default());
+    assert!(!path.gouges.is_empty(), "the ways in and out cut the walls");
+    assert!(!check_program(&read, &path, &tools, 1e-3).is_empty(), "and so says the judge");
+}
+
+#[test]
+fn what_cuts_elsewhere_is_told_beside_ends_that_run_over() {
+    // A slot of 6 mm in the upper edge.
+    let slot = OVERRUN.replace("X80\nY0", "X37\nY50\nX43\nY60\nX80\nY0");
+    let read = interpret(&Program::parse(&slot, Dialect::Auto), Rules::default());
+    let path = compensate_program(&read, &Tools::all(4.0), &Options::default());
+    assert!(!path.gouges.is_empty(), "the slot is too narrow");
+    for gouge in &path.gouges {
+        assert!(gouge.at.y >= 40.0, "nothing at the ends: {gouge:?}");
+    }
+}

@@ -1,12 +1,13 @@
 //! Contours of a program for a control with one block of look-ahead.
 
+use super::judge::tell_gouges;
 use super::tools::tip;
+use super::walls::walls;
 use crate::compensation::{Options, Passage, look_ahead};
-use crate::contour::{Contour, Plane, Role, Tool, ToolPath};
-use crate::diagnostic::{Diagnostic, Origin};
-use crate::geometry::{Decimal, sin_cos};
-use crate::gouge::check;
-use crate::program::{ContourEnd, ContourStart, ProgrammedContour};
+use crate::contour::{Plane, Tool, ToolPath};
+use crate::diagnostic::{Diagnostic, Origin, Severity};
+use crate::geometry::sin_cos;
+use crate::program::{ContourEnd, ProgrammedContour};
 
 /// The path of a contour, and whether the control goes on after it. `orientation` is that of the
 /// tool, `origin` the block that switches on.
@@ -45,34 +46,8 @@ pub(super) fn with_look_ahead(
 /// Tells where the path cuts too deep; the control itself looks at one corner at a time, and makes
 /// it all the same. What a corner within the tangent band costs is not counted.
 fn judge(path: &mut ToolPath, programmed: &ProgrammedContour, tool: Tool, options: &Options) {
-    let Some(contour) = part(programmed) else { return };
-    let mut own = ToolPath::default();
-    for step in &path.moves {
-        if matches!(step.role, Role::Segment | Role::Transition) {
-            own.moves.push(*step);
-        }
-    }
+    let Some(walls) = walls(programmed, tool.side()) else { return };
     let undercut = tool.radius() * (1.0 - sin_cos(options.band(tool.radius())).1);
     let tolerance = options.usable_tolerance() + undercut;
-    for gouge in check(&contour, &own, tool.radius(), tolerance) {
-        let message = format!("the path cuts {} mm too deep", Decimal::of(gouge.depth));
-        let mut diagnostic = Diagnostic::warning("bottleneck-gouge", message)
-            .with_point(gouge.at)
-            .with_depth(gouge.depth)
-            .with_hint("use a smaller tool, or let gouges be avoided")
-            .with_segments(gouge.segments.as_slice());
-        diagnostic.origin = gouge.segments.first().copied();
-        path.diagnostics.push(diagnostic);
-        path.gouges.push(gouge);
-    }
-}
-
-/// The contour without what leads in, and without segments on which the radius changes; `None` where
-/// that is all.
-pub(super) fn part(programmed: &ProgrammedContour) -> Option<Contour> {
-    let segments = programmed.contour.segments();
-    let first = programmed.leads_in || programmed.begins == ContourStart::Tapers;
-    let until = segments.len() - usize::from(programmed.end == ContourEnd::Tapers);
-    let segments = segments.get(usize::from(first)..until).unwrap_or(&[]);
-    (!segments.is_empty()).then(|| Contour::of_segments(segments.to_vec(), false, [None, None]))
+    tell_gouges(path, &walls, tool, tolerance, Severity::Warning);
 }

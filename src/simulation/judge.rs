@@ -1,10 +1,18 @@
 //! Judging the tool path of a whole program.
 
 use super::Tools;
-use super::ahead::part;
-use crate::contour::{Gouge, ToolPath};
+use super::walls::walls;
+use crate::contour::{Contour, Gouge, Role, Tool, ToolPath};
+use crate::diagnostic::{Diagnostic, Severity};
+use crate::geometry::Decimal;
 use crate::gouge::check;
-use crate::program::{ContourEnd, ContourStart, Interpretation, Item};
+use crate::program::{ContourStart, Interpretation, Item};
+
+/// The code of a diagnostic about a path that is too near to a distant part of its contour.
+const TOO_NEAR: &str = "bottleneck-gouge";
+
+/// Part of its depth that a gouge must have been told with to be told.
+const TOLD: f64 = 0.95;
 
 /// Finds where `path` comes nearer than the radius − `tolerance` [mm] to the contours of a program.
 ///
@@ -32,14 +40,58 @@ pub fn check_program(
         let tapers = programmed.begins == ContourStart::Tapers && first < end;
         let moves = path.moves[first + usize::from(tapers)..end].to_vec();
         let own = ToolPath { moves, ..ToolPath::default() };
-        let is_whole = !programmed.leads_in
-            && programmed.begins != ContourStart::Tapers
-            && programmed.end != ContourEnd::Tapers;
-        if is_whole {
-            gouges.append(&mut check(&programmed.contour, &own, radius, tolerance));
-        } else if let Some(contour) = part(programmed) {
-            gouges.append(&mut check(&contour, &own, radius, tolerance));
+        let Some(tool) = Tool::new(radius, programmed.side) else { continue };
+        if let Some(walls) = walls(programmed, tool.side()) {
+            gouges.append(&mut check(&walls, &own, radius, tolerance));
         }
     }
     gouges
+}
+
+/// Adds to a path where its own moves, leads apart, cut the `walls` too deep.
+pub(super) fn tell_gouges(
+    path: &mut ToolPath,
+    walls: &Contour,
+    tool: Tool,
+    tolerance: f64,
+    severity: Severity,
+) {
+    let mut own = ToolPath::default();
+    for step in &path.moves {
+        if matches!(step.role, Role::Segment | Role::Transition) {
+            own.moves.push(*step);
+        }
+    }
+    for gouge in check(walls, &own, tool.radius(), tolerance) {
+        let is_told = |told: &Gouge| {
+            told.at.distance(gouge.at) <= 2.0 * tool.radius() && told.depth >= TOLD * gouge.depth
+        };
+        if path.gouges.iter().any(is_told) {
+            continue;
+        }
+        let message = format!("the path cuts {} mm too deep", Decimal::of(gouge.depth));
+        let mut diagnostic = Diagnostic::warning(TOO_NEAR, message)
+            .with_point(gouge.at)
+            .with_depth(gouge.depth)
+            .with_hint("use a smaller tool, or let gouges be avoided")
+            .with_segments(gouge.segments.as_slice());
+        diagnostic.origin = gouge.segments.first().copied();
+        path.diagnostics.push(Diagnostic { severity, ..diagnostic });
+        path.gouges.push(gouge);
+    }
+}
+
+/// Judges anew what of a path was found too near to distant parts of its contour, when parts of that
+/// are no walls.
+pub(super) fn judge_again(path: &mut ToolPath, walls: &Contour, tool: Tool, tolerance: f64) {
+    let ToolPath { diagnostics, gouges, .. } = path;
+    diagnostics.retain(|found| {
+        let is_of = |gouge: &Gouge| found.at == Some(gouge.at) && found.depth == Some(gouge.depth);
+        let judged_again = found.code == TOO_NEAR;
+        if judged_again {
+            gouges.retain(|gouge| !is_of(gouge));
+        }
+        !judged_again
+    });
+    tell_gouges(path, walls, tool, tolerance, Severity::Error);
 }

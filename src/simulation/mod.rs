@@ -6,6 +6,7 @@ mod judge;
 mod profile;
 mod program_path;
 mod tools;
+mod walls;
 
 pub use judge::check_program;
 pub use profile::Profile;

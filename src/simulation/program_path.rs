@@ -5,6 +5,8 @@ use glam::{DVec2, DVec3};
 use super::Tools;
 use super::ahead::with_look_ahead;
 use super::changes::{cross_over, leave_out_last, start_from};
+use super::judge::judge_again;
+use super::walls::without_overrun;
 use crate::compensation::{GougePolicy, LeadStyle, Options, compensate_all, refuse_gouges};
 use crate::contour::{AuxiliaryWords, Contour, EventKind, Move, MoveCurve, Role, Tool, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin};
@@ -182,14 +184,25 @@ impl Course {
             return;
         }
         let before = self.path.moves.len();
+        let walls = without_overrun(&programmed.contour, tool.side());
         let mut compensated = if looks_ahead {
             let orientation = tools.orientation_of(programmed);
             let (path, finished) = with_look_ahead(programmed, tool, orientation, options, origin);
             self.is_stopped = !finished;
             path
         } else {
-            let mut path = compensate_all(&[(&programmed.contour, tool)], options);
-            set_feeds(&mut path, &programmed.contour);
+            let contour = match &walls {
+                // What runs over has nothing to be kept clear of.
+                Some(walls) if avoids => walls,
+                _ => &programmed.contour,
+            };
+            let mut path = compensate_all(&[(contour, tool)], options);
+            if let Some(walls) = &walls
+                && !avoids
+            {
+                judge_again(&mut path, walls, tool, options.usable_tolerance());
+            }
+            set_feeds(&mut path, contour);
             path
         };
         if programmed.end == ContourEnd::Tapers
@@ -226,7 +239,8 @@ impl Course {
         self.path.contours.push([before, self.path.moves.len()]);
         if avoids {
             let joins = self.path.moves.len() - own;
-            self.judge_leads(&programmed.contour, [before, joins], tool, options);
+            let walls = walls.as_ref().unwrap_or(&programmed.contour);
+            self.judge_leads(walls, [before, joins], tool, options);
         }
     }
 
