@@ -239,3 +239,22 @@ fn block_numbers_begin_again_before_they_have_five_digits() {
     assert!(text.contains("\nN9990 ") && !text.contains("\nN10000"), "{}", text.len());
     assert_eq!(text.matches("\nN10 ").count(), 2, "from ten again");
 }
+
+#[test]
+fn the_way_home_keeps_its_increments() {
+    // By way of where the tool is: absolute, Z0 would be a rapid move down to the part's zero.
+    let text = "G21 G90\nG0 X1 Y2 Z9\nG91 G28 Z0\nG28 X0 Y0\nG90\nG0 X5\n";
+    for target in [Target::Grbl, Target::GrblHal, Target::LinuxCnc, Target::Smoothieware] {
+        let written = write(text, target);
+        let lines = lines(&written.text);
+        let home = lines.iter().position(|line| *line == "G91 G28 Z0");
+        let home = home.unwrap_or_else(|| panic!("{target:?}: {lines:?}"));
+        assert_eq!(lines[home + 1..home + 4], ["G90", "G91 G28 X0 Y0", "G90"], "{target:?}");
+        assert_eq!(written.diagnostics, [], "{target:?}");
+    }
+    let fanuc = write(text, Target::Fanuc0M);
+    assert!(fanuc.text.contains("G91 G28 Z0.\n"), "{}", fanuc.text);
+    let marlin = write(text, Target::Marlin);
+    assert!(!marlin.text.contains("G91"), "{}", marlin.text);
+    assert_eq!(marlin.diagnostics[0].message, "G28 is left out: the target does not know it");
+}

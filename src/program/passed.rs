@@ -183,8 +183,8 @@ impl Passing {
                     .with_origin(origin)
                     .with_hint("compensate the program first, or write it for a control that does"),
             );
-        } else if !known && number == 400 {
-            // Nothing is on.
+        } else if !known && matches!(number, 400 | 900 | 910) {
+            // Nothing is on; of G28, which the other two stand around, it is told.
         } else if !known {
             self.left_out('G', value, origin);
         } else if matches!(number, 400..=421) {

@@ -101,6 +101,8 @@ pub(super) enum Comments {
 
 impl Facts {
     pub(super) fn knows_g(&self, tenths: u32) -> bool {
+        // What is written is absolute; G91 and G90 stand around G28 alone.
+        let tenths = if matches!(tenths, 900 | 910) { 280 } else { tenths };
         self.g.iter().any(|&known| u32::from(known) == tenths)
     }
 
