@@ -1,4 +1,4 @@
-//! Arc length of cubics by adaptive Gauss–Legendre quadrature.
+//! Gauss–Legendre quadrature, and the arc length of cubics by it.
 
 use super::Cubic;
 
@@ -31,12 +31,16 @@ fn refine(cubic: &Cubic, from: f64, to: f64, whole: f64, tolerance: f64, depth: 
 
 /// One application of the 8-point rule over `[from, to]`.
 fn rule(cubic: &Cubic, from: f64, to: f64) -> f64 {
+    gauss_legendre(from, to, &mut |t| cubic.derivative(t).length())
+}
+
+/// The integral of a function over `[from, to]` by the 8-point Gauss–Legendre rule, which is exact
+/// for polynomials of degree 15.
+pub fn gauss_legendre(from: f64, to: f64, function: &mut dyn FnMut(f64) -> f64) -> f64 {
     let (middle, half) = (0.5 * (from + to), 0.5 * (to - from));
     let mut sum = 0.0;
     for (node, weight) in NODES {
-        sum += weight
-            * (cubic.derivative(middle - half * node).length()
-                + cubic.derivative(middle + half * node).length());
+        sum += weight * (function(middle - half * node) + function(middle + half * node));
     }
     sum * half
 }

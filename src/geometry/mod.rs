@@ -38,6 +38,7 @@ pub use curve::{Curve, CurveError, MAX_COORDINATE, MIN_LENGTH, in_range};
 pub use decimal::{Decimal, parse_decimal};
 pub use flatten::{flatten_arc, flatten_cubic};
 pub use golden::least;
+pub use length::gauss_legendre;
 pub use line::Line;
 pub use nearest::Nearest;
 pub use nurbs::{Nurbs, NurbsError};

@@ -2,6 +2,8 @@
 //!
 //! This floor plans any path and never asks where it came from. Lengths are in mm, times in s.
 
+mod blend;
+mod by_length;
 mod corner;
 mod helix;
 mod limits;
@@ -10,7 +12,9 @@ mod plan;
 mod sample;
 mod speed;
 mod straight;
+mod track;
 
+pub use by_length::ByLength;
 pub use corner::{Corner, CornerCurve, CornerShape};
 pub use helix::Helix;
 pub use limits::{AxisLimits, CurvatureSteps, Limits, LimitsError, Mode};
@@ -18,3 +22,4 @@ pub use piece::{Frame, Piece};
 pub use plan::{Planner, plan};
 pub use sample::Motion;
 pub use straight::Straight;
+pub use track::{Joint, Placed, Stretch, TrackBuilder, pieces, track};

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{Corner, Helix, Straight};
+use super::{ByLength, Corner, Helix, Straight};
 
 /// Where a curve is at an arc length, and its derivatives by arc length there.
 ///
@@ -51,6 +51,8 @@ pub enum Piece {
     Helix(Helix),
     /// A rounded corner between lines.
     Corner(Corner),
+    /// A curve whose arc length is measured.
+    Curve(Box<ByLength>),
 }
 
 impl Piece {
@@ -61,6 +63,7 @@ impl Piece {
             Self::Straight(straight) => straight.length,
             Self::Helix(helix) => helix.length,
             Self::Corner(corner) => corner.length,
+            Self::Curve(curve) => curve.length,
         }
     }
 
@@ -72,6 +75,18 @@ impl Piece {
             Self::Straight(straight) => straight.frame(s),
             Self::Helix(helix) => helix.frame(s),
             Self::Corner(corner) => corner.frame(s),
+            Self::Curve(curve) => curve.frame(s),
+        }
+    }
+    /// The part from one arc length to another [mm]; of a piece that is a part itself, also from
+    /// before its start or to beyond its end.
+    #[must_use]
+    pub fn part(&self, from: f64, to: f64) -> Self {
+        match self {
+            Self::Straight(straight) => Self::Straight(straight.part(from, to)),
+            Self::Helix(helix) => Self::Helix(helix.part(from, to)),
+            Self::Corner(corner) => Self::Corner(corner.part(from, to)),
+            Self::Curve(curve) => Self::Curve(Box::new(curve.part(from, to))),
         }
     }
 }

@@ -12,7 +12,7 @@ use glam::DVec3;
 pub use family::CornerCurve;
 pub use shape::CornerShape;
 
-use super::Frame;
+use super::{Frame, Straight};
 
 /// A rounded corner in its place, by arc length.
 ///
@@ -30,6 +30,8 @@ pub struct Corner {
     along: DVec3,
     /// Unit normal there, towards the centre of the bend.
     across: DVec3,
+    /// Where it begins on the whole curve [mm].
+    from: f64,
     /// Arc length [mm].
     pub(super) length: f64,
 }
@@ -53,6 +55,7 @@ impl Corner {
             middle: at + across * (scale * shape.deviation()),
             along: (incoming + outgoing).try_normalize()?,
             across,
+            from: 0.0,
             length: scale * shape.length(),
         })
     }
@@ -82,8 +85,10 @@ impl Corner {
     #[must_use]
     pub fn frame(&self, s: f64) -> Frame {
         let length = self.shape.along(1.0);
-        let wanted = (s - 0.5 * self.length) / (0.5 * self.scale);
-        let mut x = 2.0 * s / self.length - 1.0;
+        // Twice the distance from the middle over the scale; over the length it is x, almost.
+        let whole: f64 = length.iter().sum();
+        let wanted = 2.0 * (self.from + s) / self.scale - whole;
+        let mut x = wanted / whole;
         for _ in 0..self.shape.curve.family().steps {
             let step = (x * value(&length, x * x) - wanted) / self.shape.speed(x);
             x = (x - step).clamp(-1.1, 1.1);
@@ -107,6 +112,26 @@ impl Corner {
             curvature: normal * curvature,
             sharpness: normal * sharpness - tangent * (curvature * curvature),
         }
+    }
+
+    /// The part from one arc length to another [mm].
+    #[must_use]
+    pub fn part(&self, from: f64, to: f64) -> Self {
+        Self { from: self.from + from, length: to - from, ..*self }
+    }
+
+    /// The two legs that the whole curve rounds: to the corner, and from it.
+    #[must_use]
+    pub fn legs(&self) -> [Straight; 2] {
+        let CornerShape { cos, sin, half_cos, .. } = self.shape;
+        let length = self.scale * self.shape.leg();
+        let corner = self.middle - self.across * (self.scale * self.shape.deviation());
+        let [along, across] = [self.along * half_cos, self.across * (2.0 * sin * cos)];
+        let (incoming, outgoing) = (along - across, along + across);
+        [
+            Straight { start: corner - incoming * length, tangent: incoming, length },
+            Straight { start: corner, tangent: outgoing, length },
+        ]
     }
 
     /// Its control points in Bernstein form [mm]: 14 for degree 13, of which the first four and the

@@ -47,6 +47,12 @@ impl CornerShape {
         self.curve
     }
 
+    /// Cosine of half the turn.
+    #[must_use]
+    pub fn half_cosine(&self) -> f64 {
+        self.half_cos
+    }
+
     /// Arc length [mm]; for degree 13 `(13635 + 3488 C − 2108 C²)/15015`.
     #[must_use]
     pub fn length(&self) -> f64 {

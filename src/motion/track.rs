@@ -1,0 +1,386 @@
+//! Tracks: from moves to pieces that follow each other, corners rounded and joints told apart.
+//!
+//! A move becomes a piece by arc length. Where two of them meet, the joint is smooth, or a corner
+//! between lines that a Pythagorean-hodograph curve rounds, or rough in another way and blended; what
+//! cannot be rounded within the deviation is a stop. Each curve takes a leg of both its neighbours,
+//! and what a piece has is shared: a leg may take half of it, and what the other joint does not want.
+
+use glam::DVec3;
+
+use super::blend::{Rough, SHARPEST};
+use super::{
+    ByLength, Corner, CornerCurve, CornerShape, CurvatureSteps, Frame, Helix, Limits, Piece,
+    Straight,
+};
+use crate::contour::{Move, MoveCurve};
+
+/// How two pieces of a track meet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Joint {
+    /// Direction, curvature and its derivative go on.
+    Smooth,
+    /// Only the direction goes on.
+    Step {
+        /// Size of the step of `dT/ds` [1/mm]: acceleration steps by it times `v²`.
+        curvature: f64,
+        /// Size of the step of `d²T/ds²` [1/mm²]: jerk steps by it times `v³`.
+        sharpness: f64,
+    },
+    /// The tool comes to rest.
+    Stop,
+}
+
+/// A piece in its place on a track.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Placed {
+    /// The curve.
+    pub piece: Piece,
+    /// Number of the move it comes from, counted from 0; a rounded corner counts to the incoming one.
+    pub block: u32,
+    /// Programmed feed [mm/s]; infinite for a rapid move and where none is programmed.
+    pub feed: f64,
+    /// Whether it is a rapid move, which no feed override concerns.
+    pub rapid: bool,
+    /// How it meets the next; the last one stops.
+    pub end: Joint,
+    /// What a blend stands for.
+    legs: Option<Box<[Piece; 2]>>,
+}
+
+impl Placed {
+    /// Whether it rounds the joint of two moves.
+    #[must_use]
+    pub fn is_corner(&self) -> bool {
+        self.legs.is_some() || matches!(self.piece, Piece::Corner(_))
+    }
+
+    /// The two legs that a rounded corner stands for, in whose place the tool may stop between them.
+    #[must_use]
+    pub fn legs(&self) -> Option<[Piece; 2]> {
+        match &self.piece {
+            Piece::Corner(corner) => Some(corner.legs().map(Piece::Straight)),
+            _ => self.legs.as_deref().cloned(),
+        }
+    }
+}
+
+/// Differences that count as none: at 500 mm/s and 1 kHz they are steps of the acceleration and the
+/// jerk of 1e-3 of what a fast machine may do.
+const SAME_DIRECTION: f64 = 1e-9;
+const SAME_CURVATURE: f64 = 1e-8;
+const SAME_SHARPNESS: f64 = 1e-6;
+
+/// A rest of a piece shorter than this is left out [mm].
+const LEAST_REST: f64 = 1e-10;
+
+/// Ends of successive moves farther apart than this are joined by a rapid move [mm].
+const GAP: f64 = 1e-6;
+
+/// Makes a track of moves as they come; each piece is handed out when the next two moves are known.
+#[derive(Debug, Clone)]
+pub struct TrackBuilder {
+    deviation: f64,
+    corner: CornerCurve,
+    steps: CurvatureSteps,
+    exact_stop: bool,
+    block: u32,
+    /// Whether the tool rests before the next move.
+    rests: bool,
+    /// Where the last move ends [mm].
+    end: Option<DVec3>,
+    incoming: Option<Stretch>,
+    /// How the two meet.
+    meets: Meeting,
+    outgoing: Option<Stretch>,
+    /// The last piece made, whose end is not yet told.
+    last: Option<Placed>,
+}
+
+/// A whole piece of a move on its way.
+#[derive(Debug, Clone)]
+pub struct Stretch {
+    /// The curve.
+    pub piece: Piece,
+    /// Number of the move it comes from.
+    pub block: u32,
+    /// Programmed feed [mm/s]; infinite for a rapid move and where none is programmed.
+    pub feed: f64,
+    /// Whether it is a rapid move.
+    pub rapid: bool,
+    /// Whether the tool rests before it.
+    pub rests: bool,
+    /// What the joint before it has taken [mm].
+    taken: f64,
+}
+
+impl Stretch {
+    /// A piece of a move.
+    #[must_use]
+    pub fn new(piece: Piece, block: u32, feed: f64) -> Self {
+        Self { piece, block, feed, rapid: false, rests: false, taken: 0.0 }
+    }
+}
+
+/// How two pieces meet, and the leg that rounding it wants.
+#[derive(Debug, Clone, Copy)]
+enum Meeting {
+    As(Joint),
+    Lines(CornerShape, f64),
+    Rough(Rough, Joint),
+}
+
+impl Meeting {
+    fn wants(&self) -> f64 {
+        match self {
+            Self::As(_) => 0.0,
+            Self::Lines(_, leg) => *leg,
+            Self::Rough(rough, _) => rough.leg,
+        }
+    }
+}
+
+impl TrackBuilder {
+    /// A builder that rounds as the limits say.
+    #[must_use]
+    pub fn new(limits: &Limits) -> Self {
+        Self {
+            deviation: limits.corner_deviation,
+            corner: limits.corner,
+            steps: limits.curvature_steps,
+            exact_stop: limits.exact_stop,
+            block: 0,
+            rests: false,
+            end: None,
+            incoming: None,
+            meets: Meeting::As(Joint::Stop),
+            outgoing: None,
+            last: None,
+        }
+    }
+
+    /// Takes a move, and adds to `track` the pieces that are certain by now.
+    pub fn push(&mut self, one: &Move, track: &mut Vec<Placed>) {
+        let block = self.block;
+        self.block += 1;
+        let feed = one.feed.filter(|_| !one.rapid).unwrap_or(f64::INFINITY);
+        for piece in pieces(one) {
+            let mut stretch = Stretch::new(piece, block, feed);
+            stretch.rapid = one.rapid;
+            self.push_stretch(stretch, track);
+        }
+    }
+
+    /// Lets the tool rest before the next move.
+    pub fn rest(&mut self) {
+        self.rests = true;
+    }
+
+    /// Takes a piece. One that begins elsewhere than the last ended is reached by a rapid move, from
+    /// rest to rest.
+    pub fn push_stretch(&mut self, mut stretch: Stretch, track: &mut Vec<Placed>) {
+        let start = stretch.piece.frame(0.0).point;
+        stretch.rests |= self.rests;
+        self.rests = false;
+        if let Some(end) = self.end
+            && end.distance(start) > GAP
+            && let Some(line) = Straight::between(end, start)
+        {
+            let between = Stretch {
+                piece: Piece::Straight(line),
+                block: stretch.block,
+                feed: f64::INFINITY,
+                rapid: true,
+                rests: true,
+                taken: 0.0,
+            };
+            stretch.rests = true;
+            self.take(between, track);
+        }
+        self.end = Some(stretch.piece.frame(stretch.piece.length()).point);
+        self.take(stretch, track);
+    }
+
+    /// Ends the track at rest, and hands out what is left of it.
+    pub fn finish(&mut self, track: &mut Vec<Placed>) {
+        if self.outgoing.is_some() {
+            self.resolve(0.0, track);
+        }
+        if let Some(stretch) = self.incoming.take() {
+            self.emit(&stretch, 0.0, Joint::Stop, track);
+        }
+        track.extend(self.last.take());
+        self.end = None;
+    }
+
+    /// Takes a piece that begins where the last one ended.
+    fn take(&mut self, next: Stretch, track: &mut Vec<Placed>) {
+        let Some(before) = self.outgoing.as_ref().or(self.incoming.as_ref()) else {
+            self.incoming = Some(next);
+            return;
+        };
+        let meets = self.meeting(before, &next);
+        if self.outgoing.is_some() {
+            self.resolve(meets.wants(), track);
+        }
+        self.meets = meets;
+        self.outgoing = Some(next);
+    }
+
+    /// How a piece meets the next.
+    fn meeting(&self, before: &Stretch, next: &Stretch) -> Meeting {
+        if next.rests || self.exact_stop {
+            return Meeting::As(Joint::Stop);
+        }
+        let end = before.piece.frame(before.piece.length());
+        let start = next.piece.frame(0.0);
+        let joint = joint(&end, &start);
+        if joint == Joint::Smooth {
+            return Meeting::As(joint);
+        }
+        let is_turn = joint == Joint::Stop;
+        if is_turn && let (Piece::Straight(_), Piece::Straight(_)) = (&before.piece, &next.piece) {
+            return match CornerShape::between(self.corner, end.tangent, start.tangent) {
+                Some(shape) if self.deviation > 0.0 && shape.half_cosine() >= SHARPEST => {
+                    Meeting::Lines(shape, self.deviation * (shape.leg() / shape.deviation()))
+                }
+                _ => Meeting::As(Joint::Stop),
+            };
+        }
+        let kept = match self.steps {
+            CurvatureSteps::Stop if is_step_of_curvature(&joint) => Joint::Stop,
+            _ => joint,
+        };
+        if !is_turn && self.steps != CurvatureSteps::Round || self.deviation <= 0.0 {
+            return Meeting::As(kept);
+        }
+        match Rough::of(&end, &start, self.deviation) {
+            Some(rough) => Meeting::Rough(rough, joint),
+            None => Meeting::As(joint),
+        }
+    }
+
+    /// Settles how the two pieces at hand meet, the second of which is to leave `wanted` [mm] to the
+    /// joint at its end, or half of it, and hands out the first.
+    fn resolve(&mut self, wanted: f64, track: &mut Vec<Placed>) {
+        let (Some(incoming), Some(mut outgoing)) = (self.incoming.take(), self.outgoing.take())
+        else {
+            return;
+        };
+        let length = outgoing.piece.length();
+        let most =
+            (incoming.piece.length() - incoming.taken).min((length - wanted).max(0.5 * length));
+        let (mut joint, mut leg, mut rounded) = (Joint::Stop, 0.0, None);
+        match &self.meets {
+            Meeting::As(as_is) => joint = *as_is,
+            Meeting::Lines(shape, wanted) => {
+                let tangents = [&incoming, &outgoing].map(|one| one.piece.frame(0.0).tangent);
+                let at = outgoing.piece.frame(0.0).point;
+                leg = wanted.min(most);
+                if let Some(corner) = Corner::with_leg(shape.curve(), at, tangents, leg) {
+                    joint = Joint::Smooth;
+                    if self.corner == CornerCurve::Ph5 {
+                        let sharpness = corner.frame(0.0).sharpness.length();
+                        joint = Joint::Step { curvature: 0.0, sharpness };
+                    }
+                    rounded = Some((Piece::Corner(corner), None));
+                } else {
+                    leg = 0.0;
+                }
+            }
+            Meeting::Rough(rough, as_is) => {
+                let (a, b) = (&incoming.piece, &outgoing.piece);
+                if let Some(blend) = rough.blend(a, b, most, self.deviation) {
+                    leg = blend.leg;
+                    joint = Joint::Smooth;
+                    let legs = [a.part(a.length() - leg, a.length()), b.part(0.0, leg)];
+                    rounded = Some((blend.piece, Some(Box::new(legs))));
+                } else {
+                    joint = *as_is;
+                }
+            }
+        }
+        outgoing.taken = leg;
+        self.emit(&incoming, leg, joint, track);
+        if let Some((piece, legs)) = rounded {
+            let rapid = incoming.rapid && outgoing.rapid;
+            let feed = incoming.feed.min(outgoing.feed);
+            let corner = Placed { piece, block: incoming.block, feed, rapid, end: joint, legs };
+            track.extend(self.last.replace(corner));
+        }
+        self.incoming = Some(outgoing);
+    }
+
+    /// Hands out what is left of a piece, `leg` [mm] of whose end is taken.
+    fn emit(&mut self, stretch: &Stretch, leg: f64, end: Joint, track: &mut Vec<Placed>) {
+        let to = stretch.piece.length() - leg;
+        if to - stretch.taken > LEAST_REST {
+            let whole = leg == 0.0 && stretch.taken == 0.0;
+            let piece =
+                if whole { stretch.piece.clone() } else { stretch.piece.part(stretch.taken, to) };
+            let Stretch { block, feed, rapid, .. } = *stretch;
+            let placed = Placed { piece, block, feed, rapid, end, legs: None };
+            track.extend(self.last.replace(placed));
+        } else if let Some(last) = &mut self.last
+            && end != Joint::Smooth
+        {
+            last.end = end;
+        }
+    }
+}
+
+/// How two frames at the same place meet; a change of direction is a stop.
+fn joint(end: &Frame, start: &Frame) -> Joint {
+    if (start.tangent - end.tangent).length() > SAME_DIRECTION {
+        return Joint::Stop;
+    }
+    let curvature = (start.curvature - end.curvature).length();
+    let sharpness = (start.sharpness - end.sharpness).length();
+    if curvature <= SAME_CURVATURE && sharpness <= SAME_SHARPNESS {
+        Joint::Smooth
+    } else {
+        Joint::Step { curvature, sharpness }
+    }
+}
+
+fn is_step_of_curvature(joint: &Joint) -> bool {
+    matches!(joint, Joint::Step { curvature, .. } if *curvature > SAME_CURVATURE)
+}
+
+/// The whole track of moves.
+#[must_use]
+pub fn track(moves: &[Move], limits: &Limits) -> Vec<Placed> {
+    let mut builder = TrackBuilder::new(limits);
+    let mut track = Vec::new();
+    for one in moves {
+        builder.push(one, &mut track);
+    }
+    builder.finish(&mut track);
+    track
+}
+
+/// The pieces of a move: none where nothing moves, several for a cubic with cusps.
+#[must_use]
+pub fn pieces(one: &Move) -> Vec<Piece> {
+    let Move { plane, heights, .. } = *one;
+    match &one.curve {
+        MoveCurve::Line(_) | MoveCurve::Vertical(_) => {
+            let from = plane.place(one.curve.start(), heights[0]);
+            let to = plane.place(one.curve.end(), heights[1]);
+            Straight::between(from, to).map(Piece::Straight).into_iter().collect()
+        }
+        MoveCurve::Arc(arc) => {
+            let reached = arc.center().distance(arc.end());
+            // Its end is on its circle, but for what rounding left.
+            if (reached - arc.radius()).abs() <= 1e-9 {
+                vec![Piece::Helix(Helix::of_arc(arc, plane, heights))]
+            } else {
+                let curve = ByLength::of_winding_arc(arc, plane, heights);
+                vec![Piece::Curve(Box::new(curve))]
+            }
+        }
+        MoveCurve::Cubic(cubic) => {
+            let parts = ByLength::of_cubic(cubic, plane, heights);
+            parts.into_iter().map(|part| Piece::Curve(Box::new(part))).collect()
+        }
+    }
+}
