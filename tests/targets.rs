@@ -211,6 +211,19 @@ fn a_control_that_compensates_gets_the_contour_with_its_words() {
 }
 
 #[test]
+fn linuxcnc_compensates_itself_by_number_and_by_diameter() {
+    let program = "G20\nG0 X-1 Y0\nG1 G41.1 D0.25 X0 Y0 F10\nY2\nG42 D2 X1\nG40 Y3\nM2\n";
+    let path = programmed_path(&read(program));
+    let options = EmitOptions { target: Target::LinuxCnc, ..EmitOptions::default() };
+    let written = emit(&path, &options);
+    // A diameter of a quarter of an inch, in mm as all that is written.
+    for words in ["G41.1 D6.35", "G42 D2", "G40"] {
+        assert!(written.text.contains(words), "{words} is missing\n{}", written.text);
+    }
+    assert!(written.diagnostics.iter().all(|d| d.severity < Severity::Error), "{written:?}");
+}
+
+#[test]
 fn cubics_are_native_on_demand_and_exact_up_to_rounding() {
     let program = "G0 X0 Y0\nG1 X1 F100\nG05 X10 Y5\nX20 Y-3\nX30 Y0\nM2\n";
     let path = path_of(program, 0.0);

@@ -43,3 +43,21 @@ test("several programs are judged one after the other, and one that is wrong dec
     /^good\.ngc: .*\nwrong\.ngc: .*\n<stdin>: no errors, no warnings, no gouges\n$/,
   );
 });
+
+test("--json writes what is found with each program, and the exit code stays", async () => {
+  const args = ["check", "good.ngc", "narrow.ngc", "wrong.ngc", "--radius", "3", "--json"];
+  const { code, out } = await g41(args);
+  assert.equal(code, 1);
+  const [good, narrow, wrong, ...others] = JSON.parse(out);
+  assert.deepEqual(good, { file: "good.ngc", diagnostics: [], gouges: [] });
+  assert.equal(narrow.file, "narrow.ngc");
+  // The far wall of the slot is 4 mm away from one, where the tool needs 6.
+  const deepest = Math.max(...narrow.gouges.map(({ depth }) => depth));
+  assert.ok(Math.abs(deepest - 2) < 1e-3, `depth ${deepest}`);
+  assert.deepEqual(
+    wrong.diagnostics.map(({ severity, origin }) => [severity, origin.block]),
+    [["error", 2]],
+  );
+  assert.deepEqual(others, []);
+  assert.equal((await g41(["check", "good.ngc", "--radius=3", "--json"])).code, 0);
+});

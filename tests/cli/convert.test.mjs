@@ -16,6 +16,8 @@ const { g41, read, home } = installed({
   "two.ngc": `${corner.replace("M30\n", "")}${corner.replace("D1", "D2")}`,
   // A slot of 4 mm between two walls.
   "slot.txt": "G0 X2 Y40\nG1 G41 D1 X0 Y20 F300\nY0\nX4\nY20\nG40 X2 Y40\nM30\n",
+  // A square of 40 mm, with the tool inside.
+  "square.ngc": "G0 X20 Y20\nG1 G41 D1 X0 Y20 F300\nY0\nX40\nY40\nX0\nY20\nG40 X20 Y20\nM30\n",
   "skipped.ngc": corner.replace("X30", "/X99\nX30"),
   "tools.tbl": "P3 T1 Z+10.5 D6.0 ;the left one\n\n; nothing here\nT2 P2 d8 Q0\nT3 P4\n",
   ...Object.fromEntries(programs.map((name) => [name, sample(name)])),
@@ -124,6 +126,73 @@ test("options reach the path", async () => {
   const given = await g41(["convert", "-", "--radius", "3", "--feed", "123"], noFeed);
   assert.match(given.out, /F123\b/);
   assert.equal(given.code, 0);
+});
+
+test("the control compensates with --keep-compensation, if it can", async () => {
+  const { code, out, err } = await g41([
+    ...["convert", "corner.ngc", "--keep-compensation", "--to", "linuxcnc"],
+  ]);
+  assert.deepEqual([code, err], [0, ""]);
+  assert.match(out, /G41 D0?1\b/);
+  assert.match(out, /G40\b/);
+  const programmed = [
+    [-20, 0],
+    [0, 0],
+    [0, 40],
+    [30, 40],
+    [30, 60],
+  ];
+  assert.deepEqual(pointsOf(out), programmed);
+  // grbl knows no G41.
+  const grbl = await g41(["convert", "corner.ngc", "--keep-compensation"]);
+  assert.equal(grbl.code, 1);
+  assert.match(grbl.err, /error: .*\(not-compensated\)/);
+});
+
+test("--passes and --stepover clear a pocket by paths beside each other", async () => {
+  const run = (...args) =>
+    g41(["convert", "square.ngc", "--radius=3", "--gouge=avoid", "--json", ...args]);
+  const widths = ({ moves }) => {
+    const ends = moves.filter(({ role }) => role === "segment").map(({ to: [x] }) => x - 20);
+    return [...new Set(ends.map((x) => Math.round(Math.abs(x) * 1e6) / 1e6))];
+  };
+  // A square of 40 mm: passes run 3 mm, 5.5 mm, 8 mm, … from its walls, as long as there is room.
+  const near = async (expected, ...args) => {
+    const found = widths(JSON.parse((await run(...args)).out));
+    assert.deepEqual(
+      found.sort((a, b) => b - a),
+      expected,
+    );
+  };
+  await near([17]);
+  await near([17, 14.5], "--passes", "2", "--stepover", "2.5");
+  await near([17, 14.5, 12, 9.5, 7, 4.5, 2], "--passes", "all", "--stepover", "2.5");
+});
+
+test("--curves arcs writes no cubics, --tangent-band takes a small turn for none", async () => {
+  const kinds = async (...args) => {
+    const { out } = await g41(["convert", "cam.ngc", "--tool", "3=2", "--json", ...args]);
+    return new Set(JSON.parse(out).moves.map(({ kind }) => kind));
+  };
+  assert.ok((await kinds()).has("cubic"));
+  assert.ok(!(await kinds("--curves", "arcs")).has("cubic"));
+  const turns = async (...args) => {
+    // A turn of atan(0.1), nearly 0.1 rad.
+    const input = corner.replace("X30\n", "").replace("Y40\n", "Y40\nX-4 Y80\n");
+    const { out } = await g41(["convert", "-", "--radius=3", "--json", ...args], { input });
+    return JSON.parse(out).transitions.filter(({ angle }) => Math.abs(angle - Math.PI) < 0.2);
+  };
+  assert.equal((await turns()).length, 1);
+  assert.equal((await turns("--tangent-band", "0.11")).length, 0);
+  assert.equal((await turns("--tangent-band", "auto")).length, 1);
+});
+
+test("--curve-tolerance and --spline-parameter reach the reader", async () => {
+  const spline = "G0 X0 Y0\nG5 X10 Y0\nX11 Y3\nX30 Y0\nM30\n";
+  const points = async (...args) =>
+    (await g41(["convert", "-", ...args], { input: spline.replace("G5", "G05") })).out;
+  assert.notEqual(await points("--spline-parameter", "centripetal"), await points());
+  assert.equal(await points("--spline-parameter", "chord"), await points());
 });
 
 test("a gouge is told with its place; it is avoided, or nothing is written, as --gouge says", async () => {

@@ -84,10 +84,14 @@ function read({ rawName, value, inlineValue }, flag) {
   if (value === undefined || value === "" || (isOption && !inlineValue)) {
     misused(`${rawName} needs a value: ${rawName} ${flag.value}`);
   }
-  if (flag.kind === "number") {
-    return decimal(value) ?? misused(`${rawName} must be a number, not "${value}"`);
+  if (flag.names?.includes(value)) {
+    return value;
   }
-  if (flag.names && !flag.names.includes(value)) {
+  if (flag.kind === "number") {
+    const others = flag.names ? ` or ${flag.names.join(", ")}` : "";
+    return decimal(value) ?? misused(`${rawName} must be a number${others}, not "${value}"`);
+  }
+  if (flag.names) {
     const meant = nearest(value, flag.names);
     misused(
       `${rawName} must be one of ${flag.names.join(", ")}, not "${value}"`,

@@ -29,30 +29,40 @@ export async function check(files, values) {
     misused("the program is missing", "g41 check FILE…, or g41 check - for standard input");
   }
   const tools = await toolsOf(values);
+  /** @type {string[]} */
+  const results = [];
   /** @type {number} */
   let code = exit.fine;
   for (const file of files) {
-    const { found, gouges } = await judged((await readText(file)).text, values, tools);
+    const { told, gouges } = await judged((await readText(file)).text, values, tools);
+    const found = [...told, ...untold(gouges, told)];
     report(nameOf(file), found);
     const count = (/** @type {Diagnostic["severity"]} */ severity) =>
       found.filter((diagnostic) => diagnostic.severity === severity).length;
     const [errors, warnings] = [count("error"), count("warning")];
     const summary = [numbered(errors, "error"), numbered(warnings, "warning"), worst(gouges)];
-    await write(undefined, [`${nameOf(file)}: ${summary.join(", ")}\n`], "utf8");
+    if (values.json) {
+      results.push(JSON.stringify({ file: nameOf(file), diagnostics: told, gouges }));
+    } else {
+      await write(undefined, [`${nameOf(file)}: ${summary.join(", ")}\n`], "utf8");
+    }
     if (errors > 0 || gouges.length > 0) {
       code = exit.faults;
     }
+  }
+  if (values.json) {
+    await write(undefined, [`[${results.join(",\n")}]\n`], "utf8");
   }
   return code;
 }
 
 /**
- * What is found with a program, the gouges that the judge finds among it.
+ * What is told of a program and its path, and the gouges that the judge finds.
  *
  * @param {string} text
  * @param {Values} values
  * @param {Awaited<ReturnType<typeof toolsOf>>} tools
- * @returns {Promise<{ found: Diagnostic[], gouges: Gouge[] }>}
+ * @returns {Promise<{ told: Diagnostic[], gouges: Gouge[] }>}
  */
 async function judged(text, values, tools) {
   const progress = new Progress(text.length, steps);
@@ -63,10 +73,10 @@ async function judged(text, values, tools) {
     const path = compensate(program, programOptions(values, tools));
     progress.next();
     const gouges = judge(program, path, checkOptions(values, tools));
-    const found = [...path.diagnostics, ...untold(gouges, path.diagnostics)];
+    const told = path.diagnostics;
     program[Symbol.dispose]?.();
     path[Symbol.dispose]?.();
-    return { found, gouges };
+    return { told, gouges };
   } finally {
     await progress.end();
   }

@@ -2,6 +2,7 @@
 import { compensate, parseProgram } from "../node.js";
 import { useToolPath } from "../tool_path.js";
 import { exit, misused } from "./failure.js";
+import { ofPaths } from "./flags.js";
 import { nameOf, readText } from "./input.js";
 import { jsonPieces } from "./json.js";
 import { keepInputs, write } from "./output.js";
@@ -31,6 +32,13 @@ export async function convert(files, values) {
     misused(what, "g41 convert FILE, or g41 convert - for standard input");
   }
   const { output, json } = /** @type {{ output?: string, json?: true }} */ (values);
+  const keeps = values["keep-compensation"] === true;
+  const idle = keeps ? [...ofPaths, "json"].find((name) => values[name] !== undefined) : undefined;
+  if (idle) {
+    misused(
+      `--${idle} is for a path of the tool's centre, which --keep-compensation does not make`,
+    );
+  }
   const table = /** @type {string | undefined} */ (values["tool-table"]);
   if (output !== undefined) {
     await keepInputs(output, table === undefined ? [file] : [file, table]);
@@ -44,16 +52,18 @@ export async function convert(files, values) {
     progress.next();
     const program = parseProgram(text, parseOptions(values));
     progress.next();
-    const path = compensate(program, programOptions(values, tools));
-    program[Symbol.dispose]?.();
+    const path = keeps ? undefined : compensate(program, programOptions(values, tools));
+    found = (path ?? program).diagnostics;
+    if (path) {
+      program[Symbol.dispose]?.();
+    }
     progress.next();
-    found = path.diagnostics;
-    if (json) {
+    if (path && json) {
       const total = useToolPath(path, (raw) => raw.count());
       const pieces = jsonPieces(path, (done) => progress.part(done / total));
       await write(output, pieces, "utf8");
     } else {
-      const emitted = path.emit(gcodeOptions(values));
+      const emitted = (path ?? program).emit(gcodeOptions(values));
       found = [...found, ...emitted.diagnostics];
       await write(output, [emitted.text], encoding);
     }

@@ -1,12 +1,22 @@
 // The options of the commands: what each takes and means; --help and the reading of arguments follow it.
-import { corners, dialects, gouges, leads, profiles, splines, targets } from "../options.js";
+import {
+  corners,
+  dialects,
+  gouges,
+  leads,
+  outputs,
+  profiles,
+  splines,
+  targets,
+} from "../options.js";
+import { parameters } from "../pack.js";
 
 /**
  * @typedef {object} Flag
  * @property {string} help what it does
  * @property {string} [value] what its value is called; without it the option takes none
  * @property {readonly string[]} [names] the values that there are
- * @property {"number"} [kind] that its value is a number
+ * @property {"number"} [kind] that its value is a number, or else one of the names
  * @property {boolean} [several] whether it may be given more than once
  * @property {string} [short] its one-letter name
  */
@@ -19,6 +29,16 @@ const reading = {
   flags: {
     from: { value: "DIALECT", names: dialects, help: "the dialect; by default it is found out" },
     "block-delete": { help: "leave out the blocks that begin with /" },
+    "spline-parameter": {
+      value: "SPACING",
+      names: parameters,
+      help: "how the parameter of splines through points is spaced",
+    },
+    "curve-tolerance": {
+      value: "T",
+      kind: "number",
+      help: "how near curves that are no cubics, as NURBS with weights, are read as such [mm]",
+    },
   },
 };
 
@@ -36,19 +56,37 @@ const tools = {
 };
 
 /** @type {Group} */
-const path = {
+const compensation = {
   title: "The tool path",
   flags: {
-    profile: { value: "PROFILE", names: profiles, help: "the control to compensate like" },
+    profile: {
+      value: "PROFILE",
+      names: profiles,
+      help: "the control that the program is for, and to compensate like",
+    },
     gouge: {
       value: "POLICY",
       names: gouges,
       help: "what becomes of places where the tool does not fit",
     },
+    passes: {
+      value: "COUNT",
+      kind: "number",
+      names: ["all"],
+      help: "how many paths beside each other, with --gouge avoid",
+    },
+    stepover: { value: "S", kind: "number", help: "distance from one pass to the next [mm]" },
     tolerance: { value: "T", kind: "number", help: "of the path, and of arcs for splines [mm]" },
     corner: { value: "STYLE", names: corners, help: "what is inserted at outside corners" },
     lead: { value: "STYLE", names: leads, help: "how compensation is switched on and off" },
+    "tangent-band": {
+      value: "ANGLE",
+      kind: "number",
+      names: ["auto"],
+      help: "turns up to this angle are no corners [rad]",
+    },
     spline: { value: "METHOD", names: splines, help: "how splines are compensated" },
+    curves: { value: "KIND", names: outputs, help: "what the paths of splines are made of" },
   },
 };
 
@@ -57,12 +95,23 @@ const writing = {
   title: "What is written",
   flags: {
     to: { value: "TARGET", names: targets, help: "the controller to write for" },
+    "keep-compensation": {
+      help: "leave compensation to that controller: G41, G42 and the D words are kept",
+    },
     feed: { value: "F", kind: "number", help: "feed of moves that have none [mm/min]" },
     clearance: { value: "H", kind: "number", help: "height to cross at between pieces [mm]" },
     "native-splines": { help: "write splines as such where the controller knows them" },
     explain: { help: "write a comment at each move that was not programmed, telling why" },
     json: { help: "write moves, transitions and diagnostics as JSON instead of a program" },
     output: { short: "o", value: "OUT", help: "write to this file; otherwise to standard output" },
+  },
+};
+
+/** @type {Group} */
+const verdict = {
+  title: "What is written",
+  flags: {
+    json: { help: "write a list with file, diagnostics and gouges of each program as JSON" },
   },
 };
 
@@ -83,15 +132,20 @@ export const commands = {
     purpose:
       "Reads a program with G41, G42 or splines, and writes one for the centre of the tool that needs neither.",
     usage: "g41 convert FILE [OPTIONS]",
-    groups: [reading, tools, path, writing, general],
+    groups: [reading, tools, compensation, writing, general],
   },
   check: {
     purpose:
       "Reads programs, compensates them, and judges by distances alone whether the tool cuts into what should stay. Ends with exit code 1 where it does, or where a program has errors.",
     usage: "g41 check FILE… [OPTIONS]",
-    groups: [reading, tools, path, general],
+    groups: [reading, tools, compensation, verdict, general],
   },
 };
+
+/** Names of the options that only a path of the tool's centre follows. */
+export const ofPaths = Object.keys({ ...tools.flags, ...compensation.flags }).filter(
+  (name) => name !== "profile" && name !== "tolerance",
+);
 
 /** The options that do not need a command. */
 export const withoutCommand = [general];

@@ -53,11 +53,11 @@ const width = 88;
  * @param {string} name
  * @param {Flag} flag
  */
-function line(name, { short, value, names, help }) {
+function line(name, { short, value, names, kind, help }) {
   const left = `  ${short ? `-${short}, ` : ""}--${name}${value ? ` ${value}` : ""}`;
   const gap =
     left.length + 2 > column ? `\n${" ".repeat(column)}` : " ".repeat(column - left.length);
-  const values = names ? `: ${names.join(", ")}` : "";
+  const values = names ? `: ${kind ? "a number, or " : ""}${names.join(", ")}` : "";
   return `${left}${gap}${wrapped(help + values, column)}`;
 }
 

@@ -96,7 +96,12 @@ function failureOf(error) {
   );
   if (code === "bad-argument" || code === "not-supported") {
     // The package names its own options.
-    return { code: exit.usage, message: message.replace(/^options\./, "--") };
+    const flag = (/** @type {string} */ name) =>
+      `--${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
+    return {
+      code: exit.usage,
+      message: message.replace(/^options\.(\w+)/, (_, name) => flag(name)),
+    };
   }
   if (path !== undefined) {
     return { code: exit.file, message };

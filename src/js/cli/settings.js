@@ -18,6 +18,8 @@ export function parseOptions(values) {
     dialect: values.from,
     profile: values.profile,
     blockDelete: values["block-delete"],
+    splineParameter: values["spline-parameter"],
+    curveTolerance: values["curve-tolerance"],
   });
 }
 
@@ -29,8 +31,12 @@ export function parseOptions(values) {
  * @returns {import("../types.d.ts").ProgramOptions}
  */
 export function programOptions(values, tools) {
-  const { profile, gouge, tolerance, corner, lead, spline, radius } = values;
-  return picked({ tools, profile, gouge, tolerance, corner, lead, spline, radius });
+  const { profile, gouge, tolerance, corner, lead, spline, radius, passes, stepover } = values;
+  const [tangentBand, output] = [values["tangent-band"], values.curves];
+  return picked({
+    ...{ tools, profile, gouge, tolerance, corner, lead, spline, radius },
+    ...{ passes, stepover, tangentBand, output },
+  });
 }
 
 /**
