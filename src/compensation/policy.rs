@@ -1,8 +1,10 @@
 //! What becomes of gouges: reported, avoided, or reason to make no path at all.
 
+use std::ops::Range;
+
 use super::as_arcs::{ARC_SHARE, as_arcs};
 use super::assemble::{compensate, compensate_traced, usable};
-use super::avoid::avoid_all;
+use super::avoid::{avoid_all, avoid_beside};
 use super::lookahead::{Passage, look_ahead};
 use super::passes::pocket;
 use super::whole::Trace;
@@ -17,15 +19,7 @@ use crate::diagnostic::Diagnostic;
 #[must_use]
 pub fn compensate_all(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath {
     if options.output == Output::Arcs {
-        let tolerance = options.usable_tolerance();
-        let cubics = Options {
-            tolerance: (1.0 - ARC_SHARE) * tolerance,
-            output: Output::Cubics,
-            ..*options
-        };
-        let mut path = compensate_all(jobs, &cubics);
-        as_arcs(&mut path, ARC_SHARE * tolerance);
-        return path;
+        return with_arcs(options, &|cubics| compensate_all(jobs, cubics));
     }
     if options.gouge == GougePolicy::Avoid {
         let one = options.passes == Passes::One;
@@ -57,6 +51,31 @@ pub fn compensate_all(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath 
     if options.gouge == GougePolicy::Stop {
         refuse_gouges(&mut path);
     }
+    path
+}
+
+/// The path of an open contour of which only the segments of a range are walls, gouges avoided: what
+/// runs in before them and out behind them is followed, and may be cut.
+#[must_use]
+pub fn compensate_beside(
+    contour: &Contour,
+    walls: Range<usize>,
+    tool: Tool,
+    options: &Options,
+) -> ToolPath {
+    if options.output == Output::Arcs {
+        let along = |cubics: &Options| compensate_beside(contour, walls.clone(), tool, cubics);
+        return with_arcs(options, &along);
+    }
+    avoid_beside(contour, walls, tool, options)
+}
+
+/// A path of cubics made into arcs; each has its share of the tolerance.
+fn with_arcs(options: &Options, compensate: &dyn Fn(&Options) -> ToolPath) -> ToolPath {
+    let tolerance = options.usable_tolerance();
+    let share = (1.0 - ARC_SHARE) * tolerance;
+    let mut path = compensate(&Options { tolerance: share, output: Output::Cubics, ..*options });
+    as_arcs(&mut path, ARC_SHARE * tolerance);
     path
 }
 

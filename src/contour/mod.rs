@@ -11,6 +11,7 @@ mod segment;
 mod tool;
 mod tool_path;
 mod transition;
+mod walls;
 mod wish;
 
 pub use builder::{
@@ -24,4 +25,5 @@ pub use tool_path::{
     AuxiliaryWords, Gouge, GougeKind, Move, MoveCurve, PathLoop, Reset, Role, ToolPath, Uncut,
 };
 pub use transition::{Transition, TransitionKind};
+pub use walls::Walls;
 pub use wish::{CornerWish, LeadWish, Wish};

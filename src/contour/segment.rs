@@ -156,19 +156,6 @@ impl Contour {
         }
     }
 
-    /// The same with other curves for its first and its last segment, which end and start where
-    /// those do; `None` keeps one.
-    pub(crate) fn with_ends(&self, [first, last]: [Option<Curve>; 2]) -> Self {
-        let mut contour = self.clone();
-        if let Some(curve) = first {
-            contour.segments[0].curve = curve;
-        }
-        if let (Some(curve), Some(segment)) = (last, contour.segments.last_mut()) {
-            segment.curve = curve;
-        }
-        contour
-    }
-
     /// Its last point [mm].
     #[must_use]
     pub fn end(&self) -> DVec2 {

@@ -6,9 +6,12 @@ use super::Tools;
 use super::ahead::with_look_ahead;
 use super::changes::{cross_over, leave_out_last, start_from};
 use super::judge::judge_again;
-use super::walls::without_overrun;
-use crate::compensation::{GougePolicy, LeadStyle, Options, compensate_all, refuse_gouges};
-use crate::contour::{AuxiliaryWords, Contour, EventKind, Move, MoveCurve, Role, Tool, ToolPath};
+use crate::compensation::{
+    GougePolicy, LeadStyle, Options, Passes, compensate_all, compensate_beside, refuse_gouges,
+};
+use crate::contour::{
+    AuxiliaryWords, Contour, EventKind, Move, MoveCurve, Role, Tool, ToolPath, Walls,
+};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Decimal, Line, MIN_LENGTH};
 use crate::gouge::check;
@@ -184,24 +187,27 @@ impl Course {
             return;
         }
         let before = self.path.moves.len();
-        let walls = without_overrun(&programmed.contour, tool.side());
+        let contour = &programmed.contour;
+        let walls = Walls::of(contour, tool.side());
         let mut compensated = if looks_ahead {
             let orientation = tools.orientation_of(programmed);
             let (path, finished) = with_look_ahead(programmed, tool, orientation, options, origin);
             self.is_stopped = !finished;
             path
         } else {
-            let contour = match &walls {
-                // What runs over has nothing to be kept clear of.
-                Some(walls) if avoids => walls,
-                _ => &programmed.contour,
+            let mut path = match &walls {
+                Some(walls) if avoids && options.passes == Passes::One => {
+                    let (contour, walls) = walls.split(contour);
+                    compensate_beside(&contour, walls, tool, options)
+                }
+                Some(walls) if !avoids => {
+                    let mut path = compensate_all(&[(contour, tool)], options);
+                    let tolerance = options.usable_tolerance();
+                    judge_again(&mut path, &walls.alone(contour), tool, tolerance);
+                    path
+                }
+                _ => compensate_all(&[(contour, tool)], options),
             };
-            let mut path = compensate_all(&[(contour, tool)], options);
-            if let Some(walls) = &walls
-                && !avoids
-            {
-                judge_again(&mut path, walls, tool, options.usable_tolerance());
-            }
             set_feeds(&mut path, contour);
             path
         };
@@ -239,7 +245,8 @@ impl Course {
         self.path.contours.push([before, self.path.moves.len()]);
         if avoids {
             let joins = self.path.moves.len() - own;
-            let walls = walls.as_ref().unwrap_or(&programmed.contour);
+            let alone = walls.map(|walls| walls.alone(contour));
+            let walls = alone.as_ref().unwrap_or(contour);
             self.judge_leads(walls, [before, joins], tool, options);
         }
     }

@@ -47,7 +47,8 @@ pub(super) fn each_fence(
         }
     }
     for (job, range) in work.jobs.iter().zip(&work.ranges) {
-        if range.closed {
+        // The walls of a contour that runs over meet.
+        if range.closed || job.runs_over() {
             continue;
         }
         let radius = job.tool.radius();

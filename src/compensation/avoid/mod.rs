@@ -27,6 +27,8 @@ pub(super) mod tree;
 mod uncut;
 mod units;
 
+use std::ops::Range;
+
 use self::chains::{chains, lost_ends, remove_unreached};
 use self::cuts::{Stretch, Survey};
 use self::dead_ends::remove_dead_ends;
@@ -110,7 +112,7 @@ pub fn avoid_all(contours: &[(&Contour, Tool)], options: &Options) -> ToolPath {
         for (&(contour, tool), done) in contours.iter().zip(&mut done) {
             if !*done && tool.radius() == radius {
                 *done = true;
-                jobs.push(Job { contour, tool });
+                jobs.push(Job::new(contour, tool));
             }
         }
         if !jobs.is_empty() {
@@ -118,6 +120,18 @@ pub fn avoid_all(contours: &[(&Contour, Tool)], options: &Options) -> ToolPath {
         }
     }
     path
+}
+
+/// The same for one open contour of which only a range of segments is wall: what runs in before it
+/// and out behind it is followed as far as the tool fits, and may be cut.
+pub(super) fn avoid_beside(
+    contour: &Contour,
+    walls: Range<usize>,
+    tool: Tool,
+    options: &Options,
+) -> ToolPath {
+    let job = Job { contour, tool, walls: [walls.start, walls.end] };
+    avoid_jobs(&[job], tool.radius(), options)
 }
 
 /// The clear moves along stretches of one contour, without a word about what is left uncut; each
@@ -128,7 +142,7 @@ pub(super) fn clear_path(
     options: &Options,
     has_spline: bool,
 ) -> ToolPath {
-    let jobs: Vec<Job> = stretches.iter().map(|contour| Job { contour, tool }).collect();
+    let jobs: Vec<Job> = stretches.iter().map(|contour| Job::new(contour, tool)).collect();
     clear_jobs(&jobs, tool.radius(), options, has_spline, false).0
 }
 

@@ -27,9 +27,21 @@ const ROUGH: f64 = 0.01;
 pub(super) struct Job<'a> {
     pub(super) contour: &'a Contour,
     pub(super) tool: Tool,
+    /// The first segment that is a wall, and the one behind the last.
+    pub(super) walls: [usize; 2],
 }
 
-impl Job<'_> {
+impl<'a> Job<'a> {
+    /// A contour all of which is wall.
+    pub(super) fn new(contour: &'a Contour, tool: Tool) -> Self {
+        Self { contour, tool, walls: [0, contour.segments().len()] }
+    }
+
+    /// Whether some of it only runs in or out, and may be cut.
+    pub(super) fn runs_over(&self) -> bool {
+        self.walls != [0, self.contour.segments().len()]
+    }
+
     /// Whether its end is joined to its start.
     pub(super) fn is_closed(&self) -> bool {
         let contour = self.contour;
@@ -273,6 +285,7 @@ impl Maker<'_> {
         }
         let ends = |segment: usize| ends(&segments[segment].curve, shortest);
         let first_unit = self.work.units.len();
+        let is_wall = |segment: usize| (job.walls[0]..job.walls[1]).contains(&segment);
         let mut unit = Unit { kind: Kind::Break, job: number, segment: 0, span: 0, pieces_end: 0 };
         let attributes = |i: usize| &segments[i].attributes;
         if let Some(lead) = contour.lead_in()
@@ -289,12 +302,20 @@ impl Maker<'_> {
             };
             let corner = (corner, options.corner_of(attributes(kept[0])));
             self.corner(unit, corner, first.length(), tool, options);
+            if !is_wall(kept[0]) {
+                self.open_up(first_unit);
+            }
         }
         for (k, &i) in kept.iter().enumerate() {
             let segment = &segments[i];
             unit.segment = index(i);
+            let first_node = self.nodes.len();
             self.segment(unit, segment, tool, options);
             let last = ends(i)[1];
+            if !is_wall(i) {
+                self.open_up(first_node);
+            }
+            let corner_node = self.nodes.len();
             let next = kept.get(k + 1).or(kept.first().filter(|_| job.is_closed()));
             if let Some(&next) = next {
                 let first = ends(next)[0];
@@ -308,6 +329,9 @@ impl Maker<'_> {
                 let corner = (corner, options.corner_of(attributes(i)));
                 self.corner(unit, corner, last.length(), tool, options);
             }
+            if !is_wall(i) && !next.is_some_and(|&next| is_wall(next)) {
+                self.open_up(corner_node);
+            }
         }
         let to = self.work.units.len();
         let range = Range { from: first_unit, to, closed: job.is_closed() };
@@ -320,6 +344,13 @@ impl Maker<'_> {
         let pieces_end = index(self.work.pieces.len());
         self.work.units.push(Unit { pieces_end, ..unit });
         self.nodes.push(node);
+    }
+
+    /// From this node on nothing is wall.
+    fn open_up(&mut self, from: usize) {
+        for node in &mut self.nodes[from..] {
+            node.contour = Bounds::EMPTY;
+        }
     }
 
     /// Appends pieces of the next unit; returns the box around them.
