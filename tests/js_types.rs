@@ -116,12 +116,19 @@ fn contours() -> Vec<ProgrammedContour> {
             ..SplineShape::default()
         })
     };
+    let involute = |from: DVec2| {
+        let (center, leaves) = (from - dvec2(8.0, -8.0), DVec2::from_angle(1.0));
+        let to = center + leaves * 8.0 - leaves.perp() * 16.0;
+        Shape::Involute { to, center, radius: 8.0, clockwise: false }
+    };
     let open = [
         Shape::Line { to: dvec2(10.0, 0.0) },
         Shape::Arc { to: dvec2(20.0, 0.0), center: dvec2(15.0, 0.0), clockwise: true },
         spline(20.0, Some(DVec2::X), Some(DVec2::Y), Parameter::Chord),
         spline(23.0, None, None, Parameter::Centripetal),
         Shape::Bezier { controls: points(26.0) },
+        // A thread that has come off a circle of radius 8 by twice as much as at the start.
+        involute(dvec2(29.0, 0.0)),
     ];
     let periodic = [Shape::Spline(SplineShape {
         points: vec![dvec2(9.0, 1.0), dvec2(8.0, 5.0), DVec2::ZERO],

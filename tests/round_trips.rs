@@ -49,7 +49,7 @@ fn options(target: Target) -> EmitOptions {
 /// What rounding may add to any distance [mm]: one and a half units of the last digit.
 fn rounding(target: Target) -> f64 {
     match target {
-        Target::Fanuc0M | Target::Fanuc6M => 1.5e-3,
+        Target::Fanuc0M | Target::Fanuc6M | Target::Fanuc30I => 1.5e-3,
         _ => 1.5e-4,
     }
 }

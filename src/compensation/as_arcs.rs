@@ -10,9 +10,12 @@ use crate::geometry::{ArcOrLine, Cubic, Line, MIN_LENGTH, fit_arcs};
 /// Part of the tolerance for the arcs; the rest is for the cubics that they follow.
 pub(super) const ARC_SHARE: f64 = 0.5;
 
-/// Follows the cubics of a path by arcs and lines within `tolerance` [mm].
+/// Part of the tolerance of the arcs that the cubics along an involute may be off by.
+const INVOLUTE_SHARE: f64 = 0.1;
+
+/// Follows the cubics and involutes of a path by arcs and lines within `tolerance` [mm].
 pub(super) fn as_arcs(path: &mut ToolPath, tolerance: f64) {
-    let is_cubic = |step: &Move| matches!(step.curve, MoveCurve::Cubic(_));
+    let is_cubic = |step: &Move| matches!(step.curve, MoveCurve::Cubic(_) | MoveCurve::Involute(_));
     if !path.moves.iter().any(is_cubic) {
         return;
     }
@@ -30,13 +33,20 @@ pub(super) fn as_arcs(path: &mut ToolPath, tolerance: f64) {
     let mut i = 0;
     while i < cubics.len() {
         indices.push(path.moves.len());
-        let run = run_of(&cubics, i, &breaks);
-        if run.is_empty() {
-            path.moves.push(cubics[i]);
+        let first = cubics[i];
+        if let MoveCurve::Involute(involute) = &first.curve {
+            // It is exact, so its cubics may be off by some of the first half.
+            let run = involute.cubics(INVOLUTE_SHARE * tolerance);
+            follow(&run, first, first.heights, tolerance, &mut path.moves);
             i += 1;
             continue;
         }
-        let first = cubics[i];
+        let run = run_of(&cubics, i, &breaks);
+        if run.is_empty() {
+            path.moves.push(first);
+            i += 1;
+            continue;
+        }
         let rise = [first.heights[0], cubics[i + run.len() - 1].heights[1]];
         follow(&run, first, rise, tolerance, &mut path.moves);
         indices.resize(indices.len() + run.len() - 1, path.moves.len());

@@ -56,7 +56,7 @@ pub(super) fn compensate_traced(
     for segment in contour.segments() {
         runs.push(Run::new(segment, tool, options));
         spans += match &segment.curve {
-            Curve::Line(_) | Curve::Arc(_) => 1,
+            Curve::Line(_) | Curve::Arc(_) | Curve::Involute(_) => 1,
             Curve::Spline(spline) => spline.pieces().len(),
         };
     }
@@ -97,6 +97,10 @@ pub(super) fn finest_tolerance(contour: &Contour, tool: Tool) -> f64 {
         match &segment.curve {
             Curve::Line(line) => farthest = farthest.max(largest(line.end())),
             Curve::Arc(arc) => farthest = farthest.max(largest(arc.end()) + 2.0 * arc.radius()),
+            Curve::Involute(involute) => {
+                let bounds = involute.bounds();
+                farthest = farthest.max(largest(bounds.min)).max(largest(bounds.max));
+            }
             Curve::Spline(spline) => {
                 for &point in spline.points() {
                     farthest = farthest.max(largest(point));

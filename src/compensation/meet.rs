@@ -2,13 +2,14 @@
 
 use crate::contour::MoveCurve;
 use crate::geometry::intersect::{
-    Intersections, arc_arc, arc_cubic, cubic_cubic, line_arc, line_cubic, line_line,
+    Intersections, arc_arc, arc_cubic, cubic_cubic, involute_with, line_arc, line_cubic, line_line,
 };
 
 /// Where two moves meet in the plane.
 pub(super) fn meet(a: &MoveCurve, b: &MoveCurve) -> Intersections {
-    use MoveCurve::{Arc, Cubic, Line, Vertical};
+    use MoveCurve::{Arc, Cubic, Involute, Line, Vertical};
     match (a, b) {
+        (Vertical(_), _) | (_, Vertical(_)) => Intersections::Points(Vec::new()),
         (Line(a), Line(b)) => line_line(a, b),
         (Line(a), Arc(b)) => line_arc(a, b),
         (Arc(a), Line(b)) => line_arc(b, a).exchanged(),
@@ -18,6 +19,7 @@ pub(super) fn meet(a: &MoveCurve, b: &MoveCurve) -> Intersections {
         (Arc(a), Cubic(b)) => arc_cubic(a, b),
         (Cubic(a), Arc(b)) => arc_cubic(b, a).exchanged(),
         (Cubic(a), Cubic(b)) => cubic_cubic(a, b),
-        (Vertical(_), _) | (_, Vertical(_)) => Intersections::Points(Vec::new()),
+        (Involute(a), b) => involute_with(a, &|cubic| meet(&Cubic(*cubic), b)),
+        (a, Involute(b)) => involute_with(b, &|cubic| meet(&Cubic(*cubic), a)).exchanged(),
     }
 }

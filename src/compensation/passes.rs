@@ -11,7 +11,7 @@ use super::avoid::avoid_all;
 use super::{Options, Passes};
 use crate::contour::{Contour, MoveCurve, PathLoop, Tool, ToolPath};
 use crate::diagnostic::Diagnostic;
-use crate::geometry::{Bounds, Curve, cross};
+use crate::geometry::{Bounds, cross};
 
 /// Most passes; more than any machine has the time for.
 const MOST: u32 = 10_000;
@@ -90,15 +90,7 @@ fn is_pocket((contour, tool): &(Contour, Tool)) -> bool {
             last = point;
         };
         let coarse = COARSE * tool.radius().max(1e-3);
-        match &segment.curve {
-            Curve::Line(line) => add(line.end()),
-            Curve::Arc(arc) => crate::geometry::flatten_arc(arc, coarse, &mut add),
-            Curve::Spline(spline) => {
-                for piece in spline.pieces() {
-                    crate::geometry::flatten_cubic(piece, coarse, &mut add);
-                }
-            }
-        }
+        segment.curve.flatten(coarse, &mut add);
     }
     contour.is_closed() && area * tool.offset() > 0.0
 }

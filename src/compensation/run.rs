@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::offset::{
-    ArcOffset, Bend, SpanEnd, offset_arc, offset_line, offset_spline, spline_bends,
+    ArcOffset, Bend, SpanEnd, involute_bend, offset_arc, offset_line, offset_spline, spline_bends,
 };
 use super::transition::{Place, Terminal};
 use super::type_points::Polygon;
@@ -44,6 +44,11 @@ impl<'a> Run<'a> {
                 ArcOffset::Arc(arc) | ArcOffset::Reversed(arc, _) => vec![MoveCurve::Arc(arc)],
                 ArcOffset::Point => Vec::new(),
             },
+            Curve::Involute(involute) => {
+                let mut pieces = Vec::with_capacity(2);
+                involute.offset(offset, &mut |piece| pieces.push(MoveCurve::Involute(piece)));
+                pieces
+            }
             // One of given cubics has no type points to move.
             Curve::Spline(spline)
                 if options.spline == SplineMethod::TypePoints && spline.is_through_points() =>
@@ -86,6 +91,7 @@ impl<'a> Run<'a> {
             {
                 spline_bends(spline, offset)
             }
+            Curve::Involute(involute) => involute_bend(involute, offset).into_iter().collect(),
             Curve::Line(_) | Curve::Spline(_) => Vec::new(),
         }
     }
@@ -175,6 +181,7 @@ pub(super) fn part(piece: &MoveCurve, from: f64, to: f64) -> Option<MoveCurve> {
             let part = cubic.part(from, to);
             (part.hull_length() >= MIN_LENGTH).then_some(MoveCurve::Cubic(part))
         }
+        MoveCurve::Involute(involute) => involute.part(from, to).map(MoveCurve::Involute),
         MoveCurve::Vertical(_) => None,
     }
 }
@@ -184,6 +191,7 @@ pub(super) fn reversed(piece: &MoveCurve) -> MoveCurve {
         MoveCurve::Line(line) => MoveCurve::Line(line.reversed()),
         MoveCurve::Arc(arc) => MoveCurve::Arc(arc.reversed()),
         MoveCurve::Cubic(cubic) => MoveCurve::Cubic(cubic.reversed()),
+        MoveCurve::Involute(involute) => MoveCurve::Involute(involute.reversed()),
         MoveCurve::Vertical(at) => MoveCurve::Vertical(*at),
     }
 }
@@ -206,6 +214,9 @@ pub(super) fn with_start(piece: &MoveCurve, start: DVec2) -> MoveCurve {
         }
         MoveCurve::Cubic(cubic) => {
             Some(MoveCurve::Cubic(cubic.with_start_moved(start - cubic.start())))
+        }
+        MoveCurve::Involute(involute) => {
+            involute.between(start, involute.end()).map(MoveCurve::Involute)
         }
         MoveCurve::Vertical(_) => None,
     };

@@ -6,7 +6,7 @@
 
 use glam::DVec2;
 
-use super::avoid::octants::{Octants, octants_of_arc};
+use super::avoid::octants::Octants;
 use super::avoid::tree::{Limits, Node, OrderTree, Range};
 use super::meet::meet;
 use super::report;
@@ -130,7 +130,11 @@ impl Trace {
                 add(0, 0, line.bounds(), Octants::of(line.vector()));
             }
             Curve::Arc(arc) => {
-                add(0, 0, arc.bounds(), octants_of_arc(arc));
+                add(0, 0, arc.bounds(), Octants::of_way(arc.tangent(0.0), arc.sweep()));
+            }
+            Curve::Involute(involute) => {
+                let octants = Octants::of_way(involute.tangent(0.0), involute.turn());
+                add(0, 0, involute.bounds(), octants);
             }
             Curve::Spline(spline) => {
                 let mut from = 0;
@@ -200,6 +204,7 @@ impl Watch<'_> {
         Some(match &self.jobs[job as usize].0.segments()[segment? as usize].curve {
             Curve::Line(line) => MoveCurve::Line(*line),
             Curve::Arc(arc) => MoveCurve::Arc(*arc),
+            Curve::Involute(involute) => MoveCurve::Involute(*involute),
             Curve::Spline(spline) => MoveCurve::Cubic(spline.pieces()[span as usize]),
         })
     }

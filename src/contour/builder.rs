@@ -1,6 +1,6 @@
 //! Building a contour from described segments, with a diagnostic for each that cannot be.
 //!
-//! Lines and arcs are made first, since a smooth spline takes its tangents from them. A segment
+//! Lines, arcs and involutes are made first, since a smooth spline takes its tangents from them. A segment
 //! that cannot be made as described is replaced by a straight line to its end, or left out where
 //! it has no length, so that the rest of the contour can still be seen; its diagnostic says so.
 
@@ -9,8 +9,8 @@ use glam::DVec2;
 use super::{Attributes, Contour, Event, EventKind, Lead, Segment};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{
-    Arc, Cubic, Curve, CurveError, Decimal, EndCondition, Line, MIN_LENGTH, Parameter, RadiusForm,
-    Spline, SplineEnds, in_range,
+    Arc, Cubic, Curve, CurveError, Decimal, EndCondition, Involute, Line, MIN_LENGTH, Parameter,
+    RadiusForm, Spline, SplineEnds, in_range,
 };
 
 /// How much an arc's two radii may differ [mm], unless it is by less than
@@ -61,6 +61,17 @@ pub enum Shape {
         /// Of each curve both inner control points and its end [mm].
         controls: Vec<DVec2>,
     },
+    /// An involute of a circle, outward where its end is farther from the centre than its start.
+    Involute {
+        /// Its end [mm].
+        to: DVec2,
+        /// Centre of the base circle [mm].
+        center: DVec2,
+        /// Radius of the base circle [mm].
+        radius: f64,
+        /// Whether it runs clockwise, as G02.2 does.
+        clockwise: bool,
+    },
 }
 
 /// A spline as described.
@@ -72,7 +83,7 @@ pub struct SplineShape {
     pub start_tangent: Option<DVec2>,
     /// Tangent at the end, of any length.
     pub end_tangent: Option<DVec2>,
-    /// Whether ends without a tangent are tangent to a neighbouring line or arc.
+    /// Whether ends without a tangent are tangent to a neighbouring line, arc or involute.
     pub smooth: bool,
     /// Whether its end is smoothly its start; by default so where it is all of a closed contour.
     pub periodic: Option<bool>,
@@ -85,7 +96,10 @@ impl Shape {
     #[must_use]
     pub fn end(&self) -> Option<DVec2> {
         match self {
-            Self::Line { to } | Self::Arc { to, .. } | Self::ArcByRadius { to, .. } => Some(*to),
+            Self::Line { to }
+            | Self::Arc { to, .. }
+            | Self::ArcByRadius { to, .. }
+            | Self::Involute { to, .. } => Some(*to),
             Self::Spline(SplineShape { points, .. }) | Self::Bezier { controls: points } => {
                 points.last().copied()
             }
@@ -248,13 +262,16 @@ impl ContourBuilder {
         Built { contour: Some(contour), diagnostics }
     }
 
-    /// Makes lines and arcs, and leaves splines for later.
+    /// Makes lines, arcs and involutes, and leaves splines for later.
     fn lines_and_arcs(&self, diagnostics: &mut Vec<Diagnostic>) -> Vec<Slot> {
         let mut from = self.start;
         let mut slots = Vec::with_capacity(self.described.len());
         for (shape, attributes) in &self.described {
             let made = match shape {
-                Shape::Line { to } | Shape::Arc { to, .. } | Shape::ArcByRadius { to, .. }
+                Shape::Line { to }
+                | Shape::Arc { to, .. }
+                | Shape::ArcByRadius { to, .. }
+                | Shape::Involute { to, .. }
                     if !in_range(*to) =>
                 {
                     Err(CurveError::OutOfRange { point: *to })
@@ -273,6 +290,10 @@ impl ContourBuilder {
                 Shape::ArcByRadius { to, radius, form, clockwise } => {
                     Arc::from_radius(from, *to, *radius, *form, *clockwise, ARC_TOLERANCE)
                         .map(Curve::Arc)
+                }
+                Shape::Involute { to, center, radius, clockwise } => {
+                    Involute::new(from, *to, *center, *radius, *clockwise, ARC_TOLERANCE)
+                        .map(Curve::Involute)
                 }
                 Shape::Spline(spline) => {
                     slots.push(Slot::Spline { from });
@@ -316,7 +337,7 @@ impl ContourBuilder {
             let ends = self.spline_ends(i, closed, &|neighbour, at_end| {
                 let Slot::Made(curve) = &slots[neighbour] else { return None };
                 let tangent = || curve.tangent(at_end);
-                matches!(curve, Curve::Line(_) | Curve::Arc(_)).then(tangent)
+                (!matches!(curve, Curve::Spline(_))).then(tangent)
             });
             slots[i] = match Spline::through(points, ends, shape.parameter) {
                 Ok(spline) => Slot::Made(Curve::Spline(spline)),
@@ -329,7 +350,7 @@ impl ContourBuilder {
     }
 
     /// How described segment `i`, a spline, ends; `tangent_of` gives the tangent of a neighbour at
-    /// its start (0) or end (1), if that is a line or an arc.
+    /// its start (0) or end (1), if that is no spline.
     pub(crate) fn spline_ends(
         &self,
         i: usize,
@@ -454,6 +475,13 @@ fn diagnose(error: &CurveError, origin: Option<Origin>) -> Diagnostic {
         CurveError::CoincidentPoints { .. } => Diagnostic::warning("coincident-points", message),
         CurveError::NotClosed => Diagnostic::error("not-closed", message)
             .with_hint("let its last point be its first; a straight line stands in its place"),
+        CurveError::NoBaseCircle { .. } => Diagnostic::error("no-base-circle", message)
+            .with_hint("check the base radius (R); a straight line stands in its place"),
+        CurveError::InsideBaseCircle { .. } => Diagnostic::error("inside-base-circle", message)
+            .with_hint("check the centre (I, J) and R; a straight line stands in its place"),
+        CurveError::OffInvolute { .. } => Diagnostic::error("off-involute", message).with_hint(
+            "check the end, the centre (I, J) and R; a straight line stands in its place",
+        ),
     };
     match origin {
         Some(origin) => diagnostic.with_origin(origin),

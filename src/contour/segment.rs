@@ -41,7 +41,7 @@ impl Attributes {
     }
 }
 
-/// One line, arc or spline of a contour.
+/// One line, arc, spline or involute of a contour.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Segment {
     /// Its curve.
@@ -154,6 +154,20 @@ impl Contour {
             lead_out: None,
             events: Vec::new(),
         }
+    }
+
+    /// The same contour with splines in the place of its involutes, each proved to be within
+    /// `tolerance` [mm]; `None` where it has no involute.
+    #[must_use]
+    pub fn with_splines(&self, tolerance: f64) -> Option<Self> {
+        let mut with = None;
+        for (i, segment) in self.segments.iter().enumerate() {
+            if let Curve::Involute(involute) = &segment.curve {
+                let with = with.get_or_insert_with(|| self.clone());
+                with.segments[i].curve = Curve::Spline(involute.spline(tolerance));
+            }
+        }
+        with
     }
 
     /// Its last point [mm].

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3};
 
 use super::{Plane, Transition};
 use crate::diagnostic::{Diagnostic, Origin};
-use crate::geometry::{Arc, Bounds, Cubic, Line, Nearest, flatten_arc, flatten_cubic};
+use crate::geometry::{Arc, Bounds, Cubic, Involute, Line, Nearest, flatten_arc, flatten_cubic};
 
 /// The plane curve of a move.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -15,6 +15,8 @@ pub enum MoveCurve {
     Arc(Arc),
     /// A cubic Bézier curve.
     Cubic(Cubic),
+    /// An involute of a circle.
+    Involute(Involute),
     /// No motion in the plane: the tool moves along its normal at this point [mm].
     Vertical(DVec2),
 }
@@ -27,6 +29,7 @@ impl MoveCurve {
             Self::Line(line) => line.start(),
             Self::Arc(arc) => arc.start(),
             Self::Cubic(cubic) => cubic.start(),
+            Self::Involute(involute) => involute.start(),
             Self::Vertical(at) => *at,
         }
     }
@@ -38,6 +41,7 @@ impl MoveCurve {
             Self::Line(line) => line.end(),
             Self::Arc(arc) => arc.end(),
             Self::Cubic(cubic) => cubic.end(),
+            Self::Involute(involute) => involute.end(),
             Self::Vertical(at) => *at,
         }
     }
@@ -49,6 +53,7 @@ impl MoveCurve {
             Self::Line(line) => line.point(t),
             Self::Arc(arc) => arc.point(t),
             Self::Cubic(cubic) => cubic.point(t),
+            Self::Involute(involute) => involute.point(t),
             Self::Vertical(at) => *at,
         }
     }
@@ -60,6 +65,7 @@ impl MoveCurve {
             Self::Line(line) => line.tangent(),
             Self::Arc(arc) => arc.tangent(t),
             Self::Cubic(cubic) => cubic.tangent(t),
+            Self::Involute(involute) => involute.tangent(t),
             Self::Vertical(_) => DVec2::ZERO,
         }
     }
@@ -71,6 +77,7 @@ impl MoveCurve {
             Self::Line(line) => line.length(),
             Self::Arc(arc) => arc.length(),
             Self::Cubic(cubic) => cubic.length(),
+            Self::Involute(involute) => involute.length(),
             Self::Vertical(_) => 0.0,
         }
     }
@@ -82,6 +89,7 @@ impl MoveCurve {
             Self::Line(line) => line.bounds(),
             Self::Arc(arc) => arc.bounds(),
             Self::Cubic(cubic) => cubic.bounds(),
+            Self::Involute(involute) => involute.bounds(),
             Self::Vertical(at) => Bounds::of([*at]),
         }
     }
@@ -91,7 +99,7 @@ impl MoveCurve {
     pub fn hull_bounds(&self) -> Bounds {
         match self {
             Self::Cubic(cubic) => cubic.hull_bounds(),
-            Self::Line(_) | Self::Arc(_) | Self::Vertical(_) => self.bounds(),
+            Self::Line(_) | Self::Arc(_) | Self::Involute(_) | Self::Vertical(_) => self.bounds(),
         }
     }
 
@@ -112,6 +120,7 @@ impl MoveCurve {
             Self::Line(line) => line.nearest(point),
             Self::Arc(arc) => arc.nearest(point),
             Self::Cubic(cubic) => cubic.nearest(point),
+            Self::Involute(involute) => involute.nearest(point),
             Self::Vertical(at) => Nearest::new(0.0, *at, point),
         }
     }
@@ -123,6 +132,7 @@ impl MoveCurve {
             Self::Line(line) => add(line.end()),
             Self::Arc(arc) => flatten_arc(arc, tolerance, add),
             Self::Cubic(cubic) => flatten_cubic(cubic, tolerance, add),
+            Self::Involute(involute) => involute.flatten(tolerance, add),
             Self::Vertical(at) => add(*at),
         }
     }

@@ -10,7 +10,7 @@ use glam::DVec2;
 
 use super::{Contour, Segment, Side};
 use crate::geometry::intersect::{arc_arc, line_arc, line_line};
-use crate::geometry::{Bounds, Curve, MIN_LENGTH, flatten_arc, flatten_cubic};
+use crate::geometry::{Bounds, Curve, MIN_LENGTH};
 
 /// The most segments that run in, and the most that run out.
 const MOST: usize = 3;
@@ -124,15 +124,8 @@ impl Walls {
             // Of the ends of the walls the points between are enough.
             let starts = if index == from.segment { from.t } else { 0.0 };
             let ends = if index == to.segment { to.t } else { 1.0 };
-            match part(&segment.curve, starts, ends) {
-                Some(Curve::Line(line)) => outline.push(line.end()),
-                Some(Curve::Arc(arc)) => flatten_arc(&arc, chord, &mut |at| outline.push(at)),
-                Some(Curve::Spline(spline)) => {
-                    for cubic in spline.pieces() {
-                        flatten_cubic(cubic, chord, &mut |at| outline.push(at));
-                    }
-                }
-                None => {}
+            if let Some(curve) = part(&segment.curve, starts, ends) {
+                curve.flatten(chord, &mut |at| outline.push(at));
             }
         }
         outline
@@ -186,6 +179,10 @@ fn split(curve: &Curve, t: f64) -> Option<[Curve; 2]> {
             let (a, b) = spline.split(t).ok()?;
             [Curve::Spline(a), Curve::Spline(b)]
         }
+        Curve::Involute(involute) => {
+            let (a, b) = (involute.part(0.0, t)?, involute.part(t, 1.0)?);
+            [Curve::Involute(a), Curve::Involute(b)]
+        }
     })
 }
 
@@ -197,7 +194,7 @@ fn meetings(segments: &[Segment], first: usize, last: usize) -> Vec<[f64; 2]> {
         (Curve::Line(a), Curve::Arc(b)) => line_arc(a, b).points(),
         (Curve::Arc(a), Curve::Line(b)) => line_arc(b, a).exchanged().points(),
         (Curve::Arc(a), Curve::Arc(b)) => arc_arc(a, b).points(),
-        (Curve::Spline(_), _) | (_, Curve::Spline(_)) => Vec::new(),
+        _ => Vec::new(),
     };
     let mut places: Vec<[f64; 2]> = Vec::new();
     for crossing in crossings {

@@ -4,7 +4,7 @@ use std::fmt;
 
 use glam::DVec2;
 
-use super::{Arc, Bounds, Decimal, Line, Nearest, Spline};
+use super::{Arc, Bounds, Decimal, Involute, Line, Nearest, Spline, flatten_arc, flatten_cubic};
 
 /// Largest coordinate that may be programmed [mm]: ten kilometres, a hundred times the largest
 /// machine.
@@ -61,6 +61,23 @@ pub enum CurveError {
     },
     /// A periodic spline does not end where it starts.
     NotClosed,
+    /// The circle of an involute has no radius, or one so small that an end is beyond 100 turns.
+    NoBaseCircle {
+        /// The radius as given [mm].
+        radius: f64,
+    },
+    /// An involute starts or ends inside its base circle.
+    InsideBaseCircle {
+        /// Distance of that end from the centre [mm].
+        distance: f64,
+        /// Radius of the circle [mm].
+        radius: f64,
+    },
+    /// An involute does not end on the one through its start.
+    OffInvolute {
+        /// How far off it ends [mm].
+        off: f64,
+    },
 }
 
 impl fmt::Display for CurveError {
@@ -94,6 +111,21 @@ impl fmt::Display for CurveError {
                 write!(f, "type points {} and {index} of the spline coincide", index - 1)
             }
             Self::NotClosed => write!(f, "the periodic spline does not end where it starts"),
+            Self::NoBaseCircle { radius } => {
+                let radius = Decimal::of(*radius);
+                write!(f, "a base circle of radius {radius} mm has no such involute")
+            }
+            Self::InsideBaseCircle { distance, radius } => {
+                let (distance, radius) = (Decimal::new(*distance, 6), Decimal::of(*radius));
+                write!(
+                    f,
+                    "an end of the involute is {distance} mm from the centre, inside the base circle of radius {radius} mm"
+                )
+            }
+            Self::OffInvolute { off } => {
+                let off = Decimal::new(*off, 6);
+                write!(f, "the end is {off} mm off the involute through the start")
+            }
         }
     }
 }
@@ -125,6 +157,8 @@ pub enum Curve {
     Arc(Arc),
     /// A cubic spline.
     Spline(Spline),
+    /// An involute of a circle.
+    Involute(Involute),
 }
 
 impl Curve {
@@ -135,6 +169,7 @@ impl Curve {
             Self::Line(line) => line.start(),
             Self::Arc(arc) => arc.start(),
             Self::Spline(spline) => spline.start(),
+            Self::Involute(involute) => involute.start(),
         }
     }
 
@@ -145,6 +180,7 @@ impl Curve {
             Self::Line(line) => line.end(),
             Self::Arc(arc) => arc.end(),
             Self::Spline(spline) => spline.end(),
+            Self::Involute(involute) => involute.end(),
         }
     }
 
@@ -155,6 +191,7 @@ impl Curve {
             Self::Line(line) => line.point(t),
             Self::Arc(arc) => arc.point(t),
             Self::Spline(spline) => spline.point(t),
+            Self::Involute(involute) => involute.point(t),
         }
     }
 
@@ -165,6 +202,7 @@ impl Curve {
             Self::Line(line) => line.tangent(),
             Self::Arc(arc) => arc.tangent(t),
             Self::Spline(spline) => spline.tangent(t),
+            Self::Involute(involute) => involute.tangent(t),
         }
     }
 
@@ -175,6 +213,7 @@ impl Curve {
             Self::Line(_) => 0.0,
             Self::Arc(arc) => arc.curvature(),
             Self::Spline(spline) => spline.curvature(t),
+            Self::Involute(involute) => involute.curvature(t),
         }
     }
 
@@ -185,6 +224,7 @@ impl Curve {
             Self::Line(line) => line.length(),
             Self::Arc(arc) => arc.length(),
             Self::Spline(spline) => spline.length(),
+            Self::Involute(involute) => involute.length(),
         }
     }
 
@@ -195,6 +235,7 @@ impl Curve {
             Self::Line(line) => line.bounds(),
             Self::Arc(arc) => arc.bounds(),
             Self::Spline(spline) => spline.bounds(),
+            Self::Involute(involute) => involute.bounds(),
         }
     }
 
@@ -205,6 +246,7 @@ impl Curve {
             Self::Line(line) => line.nearest(point),
             Self::Arc(arc) => arc.nearest(point),
             Self::Spline(spline) => spline.nearest(point),
+            Self::Involute(involute) => involute.nearest(point),
         }
     }
 
@@ -215,6 +257,22 @@ impl Curve {
             Self::Line(line) => Self::Line(line.reversed()),
             Self::Arc(arc) => Self::Arc(arc.reversed()),
             Self::Spline(spline) => Self::Spline(spline.reversed()),
+            Self::Involute(involute) => Self::Involute(involute.reversed()),
+        }
+    }
+
+    /// Calls `add` with points after its start, up to and with its end, whose chords are within
+    /// `tolerance` [mm] of it.
+    pub fn flatten(&self, tolerance: f64, add: &mut dyn FnMut(DVec2)) {
+        match self {
+            Self::Line(line) => add(line.end()),
+            Self::Arc(arc) => flatten_arc(arc, tolerance, add),
+            Self::Spline(spline) => {
+                for piece in spline.pieces() {
+                    flatten_cubic(piece, tolerance, add);
+                }
+            }
+            Self::Involute(involute) => involute.flatten(tolerance, add),
         }
     }
 }

@@ -185,6 +185,23 @@ impl Spline {
         if splines.is_empty() { Err(CurveError::ZeroLength) } else { Ok(splines) }
     }
 
+    /// The spline of cubics that follow each other with one tangent, whatever rounding makes of it.
+    pub(super) fn joined(cubics: &[Cubic]) -> Self {
+        let mut spline = one_cubic(cubics[0]);
+        for cubic in &cubics[1..] {
+            spline.push(*cubic);
+        }
+        let [start, end] = [0.0, 1.0].map(|t| EndCondition::Tangent(spline.tangent(t)));
+        Self { ends: SplineEnds::Open { start, end }, ..spline }
+    }
+
+    /// Appends a cubic that goes on from the last one.
+    fn push(&mut self, cubic: Cubic) {
+        self.points.push(cubic.end());
+        self.knots.push(self.knots[self.pieces.len()] + cubic.hull_length());
+        self.pieces.push(cubic);
+    }
+
     /// The spline of some spans, given by their points, parameter intervals and derivatives there,
     /// which are those of a spline already.
     pub(super) fn of_spans(
@@ -417,22 +434,24 @@ impl Spline {
 
 /// Appends a cubic to the last of some splines, or to a new one where it turns a corner.
 fn append(splines: &mut Vec<Spline>, cubic: Cubic) {
-    let interval = cubic.hull_length();
     if let Some(last) = splines.last_mut() {
         let before = last.pieces[last.pieces.len() - 1].tangent(1.0);
         if turn(before, cubic.tangent(0.0)).abs() <= SMOOTH {
-            last.points.push(cubic.end());
-            last.knots.push(last.knots[last.pieces.len()] + interval);
-            last.pieces.push(cubic);
+            last.push(cubic);
             return;
         }
     }
-    splines.push(Spline {
+    splines.push(one_cubic(cubic));
+}
+
+/// The spline of one given cubic, its ends not yet told.
+fn one_cubic(cubic: Cubic) -> Spline {
+    Spline {
         points: vec![cubic.start(), cubic.end()],
-        knots: vec![0.0, interval],
+        knots: vec![0.0, cubic.hull_length()],
         pieces: vec![cubic],
         ends: SplineEnds::NATURAL,
         parameter: Parameter::Chord,
         through_points: false,
-    });
+    }
 }

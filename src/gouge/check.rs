@@ -11,8 +11,11 @@ use crate::diagnostic::Origin;
 use crate::geometry::{Bounds, Curve, least};
 
 /// Part of the tolerance to which distances are told from the limit: far above what rounding makes
-/// of them, far below what anyone can see.
+/// of them, far below what anyone can see. Involutes are judged as cubics that use it up.
 const SLACK: f64 = 1e-3;
+
+/// The finest tolerance for such cubics [mm].
+const FINEST: f64 = 1e-6;
 
 /// Directions may be off by this part of the tolerance at the radius.
 const ASKEW: f64 = 1e-4;
@@ -36,7 +39,7 @@ const SEARCH_STEPS: usize = 30;
 /// `contour`, with its deepest point.
 ///
 /// Moves along z and moves that are not compensated ([`Role::Free`]) are not judged. Path and
-/// contour are taken as curves in the plane. Stretches that follow each other are one gouge, so a
+/// contour are taken as curves in the plane, involutes as cubics within a thousandth of the tolerance. Stretches that follow each other are one gouge, so a
 /// path that cuts a wall along its length gives one. Depths are measured to the radius itself.
 #[must_use]
 pub fn check(contour: &Contour, path: &ToolPath, radius: f64, tolerance: f64) -> Vec<Gouge> {
@@ -53,7 +56,8 @@ pub fn check_all(
 ) -> Vec<Gouge> {
     let radius = radius.abs();
     let limit = radius - tolerance;
-    let pieces = pieces(contours);
+    let near = 0.5 * SLACK * tolerance.max(FINEST);
+    let pieces = pieces(contours, near);
     // Nothing is nearer than nothing.
     if limit <= 0.0 || pieces.is_empty() {
         return Vec::new();
@@ -80,14 +84,14 @@ pub fn check_all(
             judge.end();
             continue;
         }
-        (judge.path, judge.origin) = (one.curve, one.origin);
-        let part = Part::new(one.curve);
-        let enough = limit - SLACK * tolerance;
-        tree.near(&part, enough, &mut |index| {
-            judge.sift(&part, Cell { part: pieces[index].part, piece: index, least: 0.0 }, enough);
-        });
-        judge.stretch(&part, 0, true);
-        judge.cells.clear();
+        judge.origin = one.origin;
+        if let MoveCurve::Involute(involute) = &one.curve {
+            for cubic in involute.cubics(near) {
+                judge.judge(MoveCurve::Cubic(cubic), &tree);
+            }
+        } else {
+            judge.judge(one.curve, &tree);
+        }
     }
     judge.end();
     judge.gouges
@@ -106,7 +110,8 @@ struct Piece {
     segment: usize,
 }
 
-fn pieces(contours: &[&Contour]) -> Vec<Piece> {
+/// The pieces of contours, with cubics nearer than `near` [mm] in the place of involutes.
+fn pieces(contours: &[&Contour], near: f64) -> Vec<Piece> {
     let mut pieces = Vec::new();
     for (contour, of) in contours.iter().enumerate() {
         for (segment, programmed) in of.segments().iter().enumerate() {
@@ -119,6 +124,11 @@ fn pieces(contours: &[&Contour]) -> Vec<Piece> {
                 Curve::Arc(arc) => add(MoveCurve::Arc(*arc)),
                 Curve::Spline(spline) => {
                     for &cubic in spline.pieces() {
+                        add(MoveCurve::Cubic(cubic));
+                    }
+                }
+                Curve::Involute(involute) => {
+                    for cubic in involute.cubics(near) {
                         add(MoveCurve::Cubic(cubic));
                     }
                 }
@@ -167,6 +177,19 @@ struct Judge<'a> {
 }
 
 impl Judge<'_> {
+    /// Holds a curve of the path against all pieces.
+    fn judge(&mut self, curve: MoveCurve, tree: &Tree) {
+        self.path = curve;
+        let part = Part::new(curve);
+        let enough = self.limit - SLACK * self.tolerance;
+        tree.near(&part, enough, &mut |index| {
+            let cell = Cell { part: self.pieces[index].part, piece: index, least: 0.0 };
+            self.sift(&part, cell, enough);
+        });
+        self.stretch(&part, 0, true);
+        self.cells.clear();
+    }
+
     /// Keeps what of a cell may be nearer than `enough`, in cells no larger than the stretch.
     fn sift(&mut self, part: &Part, mut cell: Cell, enough: f64) {
         cell.least = lower_bound(part, &cell.part, enough, ASKEW * self.tolerance);

@@ -5,7 +5,7 @@ use glam::DVec2;
 use crate::contour::MoveCurve;
 use crate::geometry::{cross, relative_to};
 
-/// A curve or a part of one.
+/// A curve or a part of one; an involute comes as cubics.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Part {
     pub(super) curve: MoveCurve,
@@ -44,7 +44,7 @@ impl Part {
                 // The control points are within their hull, the curve within its sagitta.
                 Self { curve, span, middle, reach: half + sagitta, sagitta }
             }
-            MoveCurve::Line(_) | MoveCurve::Vertical(_) => {
+            MoveCurve::Line(_) | MoveCurve::Involute(_) | MoveCurve::Vertical(_) => {
                 Self { curve, span, middle, reach: half, sagitta: 0.0 }
             }
         }
@@ -65,7 +65,7 @@ impl Part {
                 let (first, second) = cubic.split(0.5);
                 (MoveCurve::Cubic(first), MoveCurve::Cubic(second))
             }
-            MoveCurve::Vertical(_) => return None,
+            MoveCurve::Involute(_) | MoveCurve::Vertical(_) => return None,
         };
         let [from, to] = self.span;
         let middle = 0.5 * (from + to);
@@ -84,7 +84,7 @@ impl Part {
                 let apex = arc.center() + out * (arc.radius().powi(2) / out.length_squared());
                 [start, apex, apex, end]
             }
-            MoveCurve::Line(_) | MoveCurve::Vertical(_) => {
+            MoveCurve::Line(_) | MoveCurve::Involute(_) | MoveCurve::Vertical(_) => {
                 [start, start.lerp(end, 1.0 / 3.0), start.lerp(end, 2.0 / 3.0), end]
             }
         }

@@ -85,7 +85,7 @@ pub(super) fn read_contours(records: &[f64]) -> Result<(Vec<Described>, Numberin
         } else if kind == 7.0 {
             contour.radius = Some(reader.number()?);
         } else {
-            return Err(bad(start_of_record, "be the kind of a record, from 0 to 8"));
+            return Err(bad(start_of_record, "be the kind of a record, from 0 to 9"));
         }
     }
     Ok((contours, Numbering::of(firsts)))
@@ -129,6 +129,9 @@ impl Reader<'_> {
             Shape::Spline(self.spline()?)
         } else if kind == 8.0 {
             Shape::Bezier { controls: self.points()? }
+        } else if kind == 9.0 {
+            let (to, center) = (self.point()?, self.point()?);
+            Shape::Involute { to, center, radius: self.number()?, clockwise: self.truth()? }
         } else {
             return Ok(None);
         }))
@@ -279,7 +282,7 @@ mod tests {
     fn a_wrong_number_is_named_by_its_index() {
         for (records, path) in [
             (&[&[1.0, 2.0, 3.0][..]][..], "[0]"),
-            (&[&START, &[9.0, 1.0]], "[4]"),
+            (&[&START, &[10.0, 1.0]], "[4]"),
             (&[&START, &[8.0, 2.0, 1.0, 1.0]], "[5]"),
             (&[&START, &[1.5, 1.0, 1.0]], "[4]"),
             (&[&START, &[1.0, f64::NAN, 1.0]], "[5]"),

@@ -1,5 +1,5 @@
 // Draws moves from their records, on a canvas or as SVG path data.
-import { ARC, axes, CUBIC, RAPID, RECORD_STRIDE } from "./moves.js";
+import { ARC, axes, CUBIC, INVOLUTE, RAPID, RECORD_STRIDE } from "./moves.js";
 
 /**
  * Distance from which on two moves do not follow each other [mm]: a nanometre, which no machine
@@ -58,6 +58,8 @@ function draw(records, pen) {
       pen.arc(arc([x0, y0], [x1, y1], [a, b], c, d === 1));
     } else if (kind === CUBIC) {
       pen.cubic(a, b, c, d, x1, y1);
+    } else if (kind === INVOLUTE) {
+      involute(pen, [x0, y0], [x1, y1], [a, b], c, d === 1);
     } else {
       pen.line(x1, y1);
     }
@@ -86,6 +88,53 @@ function arc(from, to, center, radius, clockwise) {
     endAngle += turn;
   }
   return { to, center, radius, clockwise, startAngle, endAngle };
+}
+
+/** Angle over which one cubic follows an involute to a millionth of its base radius [rad]. */
+const step = 0.1;
+
+/**
+ * Draws an involute by cubics with its points and derivatives.
+ *
+ * @param {Pen} pen
+ * @param {readonly [number, number]} from
+ * @param {readonly [number, number]} to
+ * @param {readonly [number, number]} center
+ * @param {number} radius
+ * @param {boolean} clockwise
+ */
+function involute(pen, from, to, [cx, cy], radius, clockwise) {
+  /** @type {(point: readonly [number, number]) => number} */
+  const roll = ([x, y]) =>
+    Math.sqrt(Math.max(0, (Math.hypot(x - cx, y - cy) / radius) ** 2 - 1));
+  const [start, end] = [roll(from), roll(to)];
+  const hand = end > start === clockwise ? -1 : 1;
+  const first = Math.atan2(from[1] - cy, from[0] - cx) + hand * Math.atan(start);
+  /** Where the thread ends, and how fast it does. @type {(turned: number) => number[]} */
+  const at = (turned) => {
+    const [angle, thread] = [first + hand * (turned - start), radius * turned];
+    const [x, y] = [Math.cos(angle), Math.sin(angle)];
+    return [
+      cx + radius * x + hand * thread * y,
+      cy + radius * y - hand * thread * x,
+      thread * x,
+      thread * y,
+    ];
+  };
+  const steps = Math.max(1, Math.ceil(Math.abs(end - start) / step));
+  const third = (end - start) / steps / 3;
+  let [x0, y0, dx0, dy0] = at(start);
+  for (let i = 1; i <= steps; i++) {
+    const [x1, y1, dx1, dy1] = at(start + ((end - start) * i) / steps);
+    pen.cubic(
+      x0 + third * dx0,
+      y0 + third * dy0,
+      x1 - third * dx1,
+      y1 - third * dy1,
+      ...(i < steps ? /** @type {const} */ ([x1, y1]) : to),
+    );
+    [x0, y0, dx0, dy0] = [x1, y1, dx1, dy1];
+  }
 }
 
 /**

@@ -11,6 +11,7 @@ const RAPID: f64 = 0.0;
 const LINE: f64 = 1.0;
 const ARC: f64 = 2.0;
 const CUBIC: f64 = 3.0;
+const INVOLUTE: f64 = 4.0;
 
 /// Stands where there is nothing.
 const NONE: f64 = f64::NAN;
@@ -38,6 +39,11 @@ fn record(step: &Move, numbering: &Numbering) -> [f64; STRIDE] {
             let [_, control1, control2, _] = cubic.points;
             [control1.x, control1.y, control2.x, control2.y]
         }),
+        MoveCurve::Involute(involute) => {
+            let (center, radius) = (involute.center(), involute.base_radius());
+            let clockwise = f64::from(u8::from(involute.is_clockwise()));
+            (INVOLUTE, [center.x, center.y, radius, clockwise])
+        }
     };
     let role = match role {
         Role::Segment => 0.0,

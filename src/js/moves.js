@@ -11,6 +11,7 @@ export const RECORD_STRIDE = 19;
 export const RAPID = 0;
 export const ARC = 2;
 export const CUBIC = 3;
+export const INVOLUTE = 4;
 
 /** @type {readonly import("./types.d.ts").MoveBase["plane"][]} */
 const planes = ["xy", "xz", "yz"];
@@ -72,6 +73,10 @@ function unpackMove(record) {
       const rise = (end - height) / 3;
       const control1 = place(a, b, height + rise);
       return { kind: "cubic", ...base, control1, control2: place(c, d, end - rise) };
+    }
+    case INVOLUTE: {
+      const center = place(a, b, height);
+      return { kind: "involute", ...base, center, baseRadius: c, clockwise: d === 1 };
     }
     default:
       return { kind: "line", ...base };

@@ -84,7 +84,8 @@ names! {
         Smoothieware = "smoothieware",
         Marlin = "marlin",
         Fanuc0M = "fanuc-0m",
-        Fanuc6M = "fanuc-6m"
+        Fanuc6M = "fanuc-6m",
+        Fanuc30I = "fanuc-30i"
     }
 
     /// `splines` of `types.d.ts`.

@@ -14,7 +14,7 @@ export const leads = /** @type {const} */ ([
   ...["textbook", "perpendicular", "intersection", "extra-move", "linuxcnc"],
 ]);
 export const targets = /** @type {const} */ ([
-  ...["grbl", "grblhal", "linuxcnc", "smoothieware", "marlin", "fanuc-0m", "fanuc-6m"],
+  ...["grbl", "grblhal", "linuxcnc", "smoothieware", "marlin", "fanuc-0m", "fanuc-6m", "fanuc-30i"],
 ]);
 const written = /** @type {const} */ (["arcs", "native"]);
 export const gouges = /** @type {const} */ (["report", "avoid", "stop"]);

@@ -3,7 +3,6 @@ import {
   bad,
   finite,
   isPlain,
-  notSupported,
   object,
   oneOf,
   optional,
@@ -23,6 +22,7 @@ const LEAD_OUT = 5;
 const SIDE = 6;
 const RADIUS = 7;
 const BEZIER = 8;
+const INVOLUTE = 9;
 
 const contourKeys = new Set([
   ...["start", "segments", "closed", "leadIn", "leadOut", "side", "radius"],
@@ -37,6 +37,7 @@ const splineKeys = new Set([
 ]);
 
 const bezierKeys = new Set(["kind", "controls", "origin"]);
+const involuteKeys = new Set(["kind", "to", "center", "baseRadius", "clockwise", "origin"]);
 
 /** @type {readonly ("left" | "right")[]} */
 export const sides = ["left", "right"];
@@ -149,11 +150,23 @@ function packSegment(out, given, where) {
       break;
     }
     case "involute":
-      notSupported(() => `${where()}.kind`, `"involute"`);
+      packInvolute(out, object(given, involuteKeys, where), where);
       break;
     default:
-      bad(() => `${where()}.kind`, `be "line", "arc", "spline" or "bezier"`);
+      bad(() => `${where()}.kind`, `be "line", "arc", "spline", "bezier" or "involute"`);
   }
+}
+
+/**
+ * @param {number[]} out
+ * @param {Record<string, unknown>} involute
+ * @param {Where} where
+ */
+function packInvolute(out, { to, center, baseRadius, clockwise }, where) {
+  /** @type {(key: string) => Where} */
+  const at = (key) => () => `${where()}.${key}`;
+  out.push(INVOLUTE, ...point(to, at("to")), ...point(center, at("center")));
+  out.push(finite(baseRadius, at("baseRadius")), Number(truth(clockwise, at("clockwise"))));
 }
 
 /**

@@ -3,8 +3,7 @@
 use glam::DVec3;
 
 use super::argument::BadArgument;
-use crate::contour::{Contour, Move};
-use crate::geometry::{Curve, flatten_arc, flatten_cubic};
+use crate::contour::{Contour, Move, MoveCurve};
 
 /// Most vertices in one answer. A path of a hundred thousand moves has some millions at a
 /// micrometre; far beyond that, memory ends.
@@ -68,15 +67,7 @@ impl Polylines {
                 self.add(plane.place(segment.curve.start(), height), number(i));
             }
             let mut add = |point| self.add(plane.place(point, end), number(i));
-            match &segment.curve {
-                Curve::Line(line) => add(line.end()),
-                Curve::Arc(arc) => flatten_arc(arc, tolerance, &mut add),
-                Curve::Spline(spline) => {
-                    for piece in spline.pieces() {
-                        flatten_cubic(piece, tolerance, &mut add);
-                    }
-                }
-            }
+            segment.curve.flatten(tolerance, &mut add);
             self.check()?;
         }
         Ok(())
@@ -100,8 +91,12 @@ impl Polylines {
             return;
         }
         for i in 0..count {
-            // Chords of one move have the same step of its parameter.
+            // Chords of one move have the same step of its parameter, or turn by the same angle.
             let t = (i + 1) as f64 / count as f64;
+            let t = match &step.curve {
+                MoveCurve::Involute(involute) => involute.length_share(t),
+                _ => t,
+            };
             self.points[3 * (from + i) + normal] =
                 if i + 1 == count { end } else { start + (end - start) * t };
         }

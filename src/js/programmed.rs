@@ -43,6 +43,13 @@ fn write_segment(object: &mut Object<'_>, segment: &Segment) {
             object.point("center", arc.center());
             object.truth("clockwise", arc.is_clockwise());
         }
+        Curve::Involute(involute) => {
+            object.text("kind", "involute");
+            object.point("to", involute.end());
+            object.point("center", involute.center());
+            object.number("baseRadius", involute.base_radius());
+            object.truth("clockwise", involute.is_clockwise());
+        }
         Curve::Spline(spline) if spline.is_through_points() => write_spline(object, spline),
         Curve::Spline(spline) => {
             object.text("kind", "bezier");

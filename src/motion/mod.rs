@@ -13,6 +13,7 @@ mod sample;
 mod speed;
 mod straight;
 mod track;
+mod unwound;
 
 pub use by_length::ByLength;
 pub use corner::{Corner, CornerCurve, CornerShape};
@@ -23,3 +24,4 @@ pub use plan::{Planner, plan};
 pub use sample::Motion;
 pub use straight::Straight;
 pub use track::{Joint, Placed, Stretch, TrackBuilder, pieces, track};
+pub use unwound::Unwound;

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{ByLength, Corner, Helix, Straight};
+use super::{ByLength, Corner, Helix, Straight, Unwound};
 
 /// Where a curve is at an arc length, and its derivatives by arc length there.
 ///
@@ -49,6 +49,8 @@ pub enum Piece {
     Straight(Straight),
     /// A circular arc, or a helix.
     Helix(Helix),
+    /// An involute.
+    Unwound(Unwound),
     /// A rounded corner between lines.
     Corner(Corner),
     /// A curve whose arc length is measured.
@@ -62,6 +64,7 @@ impl Piece {
         match self {
             Self::Straight(straight) => straight.length,
             Self::Helix(helix) => helix.length,
+            Self::Unwound(unwound) => unwound.length,
             Self::Corner(corner) => corner.length,
             Self::Curve(curve) => curve.length,
         }
@@ -74,6 +77,7 @@ impl Piece {
         match self {
             Self::Straight(straight) => straight.frame(s),
             Self::Helix(helix) => helix.frame(s),
+            Self::Unwound(unwound) => unwound.frame(s),
             Self::Corner(corner) => corner.frame(s),
             Self::Curve(curve) => curve.frame(s),
         }
@@ -85,6 +89,7 @@ impl Piece {
         match self {
             Self::Straight(straight) => Self::Straight(straight.part(from, to)),
             Self::Helix(helix) => Self::Helix(helix.part(from, to)),
+            Self::Unwound(unwound) => Self::Unwound(unwound.part(from, to)),
             Self::Corner(corner) => Self::Corner(corner.part(from, to)),
             Self::Curve(curve) => Self::Curve(Box::new(curve.part(from, to))),
         }

@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::sample::Sample;
 use super::speed::{Phase, Rates, rest_to_rest};
-use super::{Helix, Limits, LimitsError, Motion, Piece, Straight};
+use super::{Helix, Limits, LimitsError, Motion, Piece, Straight, Unwound};
 use crate::contour::{Move, MoveCurve};
 
 /// Plans the motion along moves, from rest to rest.
@@ -61,6 +61,10 @@ impl Planner {
             MoveCurve::Arc(arc) => {
                 let helix = Helix::of_arc(arc, one.plane, one.heights);
                 self.run(&Piece::Helix(helix), cap, motion);
+            }
+            MoveCurve::Involute(involute) => {
+                let unwound = Unwound::of_involute(involute, one.plane, one.heights);
+                self.run(&Piece::Unwound(unwound), cap, motion);
             }
             MoveCurve::Cubic(cubic) => {
                 let mut last = place(0.0, cubic.start());

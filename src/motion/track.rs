@@ -10,7 +10,7 @@ use glam::DVec3;
 use super::blend::{Rough, SHARPEST};
 use super::{
     ByLength, Corner, CornerCurve, CornerShape, CurvatureSteps, Frame, Helix, Limits, Piece,
-    Straight,
+    Straight, Unwound,
 };
 use crate::contour::{Move, MoveCurve};
 
@@ -377,6 +377,9 @@ pub fn pieces(one: &Move) -> Vec<Piece> {
                 let curve = ByLength::of_winding_arc(arc, plane, heights);
                 vec![Piece::Curve(Box::new(curve))]
             }
+        }
+        MoveCurve::Involute(involute) => {
+            vec![Piece::Unwound(Unwound::of_involute(involute, plane, heights))]
         }
         MoveCurve::Cubic(cubic) => {
             let parts = ByLength::of_cubic(cubic, plane, heights);

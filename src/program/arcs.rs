@@ -16,7 +16,7 @@ use crate::geometry::{Arc, RadiusForm};
 const MOST_TURNS: u32 = 10_000;
 
 /// The letters of a centre, for x, y and z.
-const CENTER: [char; 3] = ['I', 'J', 'K'];
+pub(super) const CENTER: [char; 3] = ['I', 'J', 'K'];
 
 impl Interpreter {
     /// G02 and G03.
@@ -103,15 +103,7 @@ impl Interpreter {
         }
         let to = plane.split(to).0;
         let clockwise = clockwise != self.modal.frame.flips(plane);
-        let Some(factor) = self.modal.frame.factor(plane) else {
-            self.error(
-                "arc-distorted",
-                "scaling or rotation makes the arc no arc of this plane",
-                block.start(),
-                "scale both axes alike; a straight line stands in its place",
-            );
-            return None;
-        };
+        let factor = self.even_factor(block)?;
         if let Some(radius) = radius {
             if let Some(center) = a.or(b) {
                 self.error(
@@ -143,17 +135,35 @@ impl Interpreter {
                 "the missing one is taken from the arc's start",
             );
         }
-        let mut center = self.modal.frame.unmap(self.modal.position);
-        let unit = self.modal.unit();
-        let absolute = self.modal.absolute_center;
-        let mut move_center = |i: usize, word: Option<&Word>| match word {
-            Some(word) if absolute => center[i] = word.value * unit,
-            Some(word) => center[i] += word.value * unit,
-            None => {}
-        };
-        move_center(first, a);
-        move_center(second, b);
-        let center: DVec2 = plane.split(self.modal.frame.map(center)).0;
+        let center = self.center([a, b], self.modal.absolute_center);
         Some(Shape::Arc { to, center, clockwise })
+    }
+
+    /// The centre that the words for the axes of the plane state, from the start or `absolute` [mm].
+    pub(super) fn center(&self, words: [Option<&Word>; 2], absolute: bool) -> DVec2 {
+        let plane = self.modal.plane;
+        let mut center = self.modal.frame.unmap(self.modal.position);
+        for (i, word) in plane.axes().into_iter().zip(words) {
+            if let Some(word) = word {
+                let way = word.value * self.modal.unit();
+                center[i] = if absolute { way } else { center[i] + way };
+            }
+        }
+        plane.split(self.modal.frame.map(center)).0
+    }
+
+    /// By how much the coordinate system makes the lengths of its plane longer; told, where not all of
+    /// them alike.
+    pub(super) fn even_factor(&mut self, block: &Block) -> Option<f64> {
+        let factor = self.modal.frame.factor(self.modal.plane);
+        if factor.is_none() {
+            self.error(
+                "arc-distorted",
+                "scaling or rotation makes the curve another one",
+                block.start(),
+                "scale both axes alike; a straight line stands in its place",
+            );
+        }
+        factor
     }
 }

@@ -12,6 +12,9 @@ const NUMBERS: [u32; 2] = [10, 9990];
 /// The letters of the axes, and those of the way from an arc's start to its centre along them.
 const AXES: [[char; 2]; 3] = [['X', 'I'], ['Y', 'J'], ['Z', 'K']];
 
+/// What stands for the motion words of involutes, clockwise and not, and their numbers.
+const INVOLUTES: [(char, &str); 2] = [('c', "2.2"), ('a', "3.2")];
+
 /// What became of words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Written {
@@ -218,7 +221,24 @@ impl BlockWriter {
     /// An arc in a plane to `to`, about the point that is `center` away from where the control is,
     /// along the plane's axes; a full circle where `to` is where the control is.
     pub(super) fn arc(&mut self, clockwise: bool, plane: Plane, to: [i64; 3], center: [i64; 2]) {
-        let motion = if clockwise { '2' } else { '3' };
+        self.round(if clockwise { '2' } else { '3' }, plane, to, center, 0);
+    }
+
+    /// An involute in a plane to `to`, of a circle of `radius` about the point that is `center` away
+    /// from where the control is, along the plane's axes.
+    pub(super) fn involute(
+        &mut self,
+        clockwise: bool,
+        plane: Plane,
+        to: [i64; 3],
+        center: [i64; 2],
+        radius: i64,
+    ) {
+        let motion = if clockwise { INVOLUTES[0].0 } else { INVOLUTES[1].0 };
+        self.round(motion, plane, to, center, radius);
+    }
+
+    fn round(&mut self, motion: char, plane: Plane, to: [i64; 3], center: [i64; 2], radius: i64) {
         let mut says = [self.at[0] != to[0], self.at[1] != to[1], self.at[2] != to[2]];
         let [first, second, _] = plane.axes();
         let full = !says[first] && !says[second];
@@ -229,7 +249,7 @@ impl BlockWriter {
             self.plane = plane;
             self.prefix(word);
         }
-        let offsets = [(AXES[first][1], center[0]), (AXES[second][1], center[1])];
+        let offsets = [(AXES[first][1], center[0]), (AXES[second][1], center[1]), ('R', radius)];
         self.block(motion, to, says, &offsets);
     }
 
@@ -253,7 +273,11 @@ impl BlockWriter {
         }
         if self.motion != Some(motion) || !self.facts.modal {
             self.space();
-            self.text.extend(['G', motion]);
+            self.text.push('G');
+            match INVOLUTES.iter().find(|(letter, _)| *letter == motion) {
+                Some((_, number)) => self.text.push_str(number),
+                None => self.text.push(motion),
+            }
             self.motion = Some(motion);
         }
         let stated = std::mem::take(&mut self.states);

@@ -1,4 +1,4 @@
-//! Writing a tool path as a plain program: G0, G1, G2 and G3.
+//! Writing a tool path as a plain program: G0, G1, G2 and G3, and G2.2 and G3.2 where they are known.
 //!
 //! Coordinates are rounded first and everything else follows from what was written: the centre of
 //! an arc is given from its start as written, so that rounding does not add up and no control
@@ -25,8 +25,8 @@ use crate::geometry::{Arc, ArcOrLine, Cubic, Decimal, MIN_LENGTH, fit_arcs, sin_
 pub struct EmitOptions {
     /// For whom.
     pub target: Target,
-    /// Largest distance of arcs and lines, as they are written, from the cubics they stand for
-    /// [mm]; where it is less than three units of the last digit, rounding may add as much.
+    /// Largest distance of arcs and lines, as they are written, from the cubics and involutes they
+    /// stand for [mm]; where it is less than three units of the last digit, rounding may add as much.
     pub tolerance: f64,
     /// What cubics become.
     pub splines: SplineOutput,
@@ -180,13 +180,13 @@ fn cubic_run(moves: &[Move]) -> Vec<Cubic> {
     run
 }
 
-struct Emitter {
-    out: BlockWriter,
+pub(super) struct Emitter {
+    pub(super) out: BlockWriter,
     options: EmitOptions,
     /// The last digit [mm].
-    unit: f64,
+    pub(super) unit: f64,
     /// Of arcs and lines before they are rounded [mm].
-    tolerance: f64,
+    pub(super) tolerance: f64,
     crossing: Crossing,
     /// Where the tool is [mm], not rounded.
     at: DVec3,
@@ -284,6 +284,7 @@ impl Emitter {
                 match next.curve {
                     MoveCurve::Arc(arc) => self.arc(&arc, next.plane, next.heights),
                     MoveCurve::Cubic(cubic) => self.cubics(&[cubic], next),
+                    MoveCurve::Involute(involute) => self.involute(&involute, next),
                     MoveCurve::Line(_) | MoveCurve::Vertical(_) => {}
                 }
                 return;
@@ -322,7 +323,7 @@ impl Emitter {
     }
 
     /// Cubics of one height, or one cubic that climbs.
-    fn cubics(&mut self, cubics: &[Cubic], like: &Move) {
+    pub(super) fn cubics(&mut self, cubics: &[Cubic], like: &Move) {
         if like.rapid || like.plane != Plane::Xy && !self.out.facts.planes {
             for cubic in cubics {
                 let curve = MoveCurve::Cubic(*cubic);
@@ -432,12 +433,12 @@ impl Emitter {
     }
 
     /// A way as written, in a plane [mm].
-    fn way(&self, [x, y]: [i64; 2]) -> DVec2 {
+    pub(super) fn way(&self, [x, y]: [i64; 2]) -> DVec2 {
         DVec2::new(x as f64, y as f64) / self.out.scale
     }
 
     /// A point as written, in a plane [mm].
-    fn in_plane(&self, plane: Plane, place: [i64; 3]) -> DVec2 {
+    pub(super) fn in_plane(&self, plane: Plane, place: [i64; 3]) -> DVec2 {
         let [first, second, _] = plane.axes();
         self.way([place[first], place[second]])
     }

@@ -43,6 +43,9 @@ impl Course {
             match &segment.curve {
                 Curve::Line(line) => self.free(MoveCurve::Line(*line), &attributes),
                 Curve::Arc(arc) => self.free(MoveCurve::Arc(*arc), &attributes),
+                Curve::Involute(involute) => {
+                    self.free(MoveCurve::Involute(*involute), &attributes);
+                }
                 Curve::Spline(spline) => {
                     for cubic in spline.pieces() {
                         self.free(MoveCurve::Cubic(*cubic), &attributes);

@@ -16,6 +16,11 @@ pub(super) enum Motion {
         /// G02.
         clockwise: bool,
     },
+    /// G02.2 and G03.2.
+    Involute {
+        /// G02.2.
+        clockwise: bool,
+    },
     /// G05 with axes alone.
     TypePoints,
     /// G05 with I, J, P and Q.
@@ -130,6 +135,8 @@ pub(super) fn g_word(tenths: u32) -> Option<GWord> {
         10 => GWord::Motion(Motion::Linear),
         20 => GWord::Motion(Motion::Arc { clockwise: true }),
         30 => GWord::Motion(Motion::Arc { clockwise: false }),
+        22 => GWord::Motion(Motion::Involute { clockwise: true }),
+        32 => GWord::Motion(Motion::Involute { clockwise: false }),
         40 => Dwell,
         50..=53 | 61 | 62 => SplineFamily,
         70 => Diameter(true),

@@ -33,6 +33,7 @@ mod free_moves;
 mod functions;
 mod g_words;
 mod interpret;
+mod involutes;
 mod items;
 mod lexer;
 mod macros;

@@ -52,6 +52,12 @@ impl Interpreter {
                     self.arrive(&axes, to);
                 }
             }
+            Motion::Involute { clockwise } => {
+                if let Some((axes, to)) = self.target(block, words, "IJKR") {
+                    self.involute(block, words, &axes, to, clockwise);
+                    self.arrive(&axes, to);
+                }
+            }
             Motion::Cycle(number) => self.cycle(block, number, stated, words),
             Motion::TypePoints | Motion::Cubic => self.g05(block, words),
             Motion::Quadratic => {

@@ -63,6 +63,9 @@ fn contour(programmed: &ProgrammedContour, path: &mut ToolPath) {
                 push(path, MoveCurve::Line(*line), Role::Segment, &segment.attributes);
             }
             Curve::Arc(arc) => push(path, MoveCurve::Arc(*arc), Role::Segment, &segment.attributes),
+            Curve::Involute(involute) => {
+                push(path, MoveCurve::Involute(*involute), Role::Segment, &segment.attributes);
+            }
             Curve::Spline(spline) => {
                 for cubic in spline.pieces() {
                     push(path, MoveCurve::Cubic(*cubic), Role::Segment, &segment.attributes);

@@ -13,7 +13,7 @@ use super::modes::Demands;
 use super::pending_spline::{Boundary, Family};
 use super::words::Words;
 use crate::contour::{ARC_TOLERANCE, Shape};
-use crate::geometry::{Arc, RadiusForm, perp};
+use crate::geometry::{Arc, Involute, RadiusForm, perp};
 
 /// Words without a number: their letter and the number that stands for them.
 pub(super) const NAMES: [(&str, char, f64); 11] = [
@@ -140,6 +140,11 @@ pub(super) fn end_heading(from: DVec2, shape: &Shape) -> Option<DVec2> {
             [.., before, to] => to - before,
             _ => return None,
         },
+        Shape::Involute { to, center, radius, clockwise } => {
+            let involute =
+                Involute::new(from, *to, *center, *radius, *clockwise, ARC_TOLERANCE).ok()?;
+            involute.tangent(1.0)
+        }
         Shape::Spline(_) => return None,
     };
     heading.try_normalize()

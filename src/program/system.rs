@@ -100,7 +100,9 @@ impl Interpreter {
                 Some(Motion::Controls) => 52.0,
                 Some(Motion::Through) => 61.0,
                 Some(Motion::Knots) => 62.0,
-                Some(Motion::Named(_) | Motion::NotSupported(_)) => return None,
+                Some(Motion::Involute { .. } | Motion::Named(_) | Motion::NotSupported(_)) => {
+                    return None;
+                }
             }),
             _ => None,
         }

@@ -2,7 +2,7 @@
 //!
 //! Facts are those of the controllers' own manuals and sources: grbl 1.1 and `grblHAL` (their
 //! parsers), `LinuxCNC` (its G-code reference), Smoothieware in its CNC build, Marlin 2 with its
-//! options as delivered, and the preparatory functions of FANUC's 0M and 6M. A word that is not in a
+//! options as delivered, and the preparatory functions of FANUC's 0M, 6M and 30i. A word that is not in a
 //! table is never written for that target.
 
 /// A controller that programs are written for.
@@ -23,11 +23,13 @@ pub enum Target {
     Fanuc0M,
     /// FANUC 6M.
     Fanuc6M,
+    /// FANUC 30i.
+    Fanuc30I,
 }
 
 impl Target {
     /// All of them, in the order in which they are offered.
-    pub const ALL: [Self; 7] = [
+    pub const ALL: [Self; 8] = [
         Self::Grbl,
         Self::GrblHal,
         Self::LinuxCnc,
@@ -35,6 +37,7 @@ impl Target {
         Self::Marlin,
         Self::Fanuc0M,
         Self::Fanuc6M,
+        Self::Fanuc30I,
     ];
 
     pub(super) fn facts(self) -> &'static Facts {
@@ -46,6 +49,7 @@ impl Target {
             Self::Marlin => &MARLIN,
             Self::Fanuc0M => &FANUC_0M,
             Self::Fanuc6M => &FANUC_6M,
+            Self::Fanuc30I => &FANUC_30I,
         }
     }
 }
@@ -74,6 +78,8 @@ pub(super) struct Facts {
     pub(super) planes: bool,
     /// Whether G5 is a cubic with I J from its start and P Q from its end.
     pub(super) splines: bool,
+    /// Whether G2.2 and G3.2 are involutes with I J from their start and R.
+    pub(super) involutes: bool,
     /// How it knows comments.
     pub(super) comments: Comments,
     /// The letter beside G4 that counts in seconds.
@@ -124,6 +130,7 @@ static GRBL: Facts = Facts {
     single: false,
     planes: true,
     splines: false,
+    involutes: false,
     comments: Comments::Both,
     dwell: 'P',
     tools: true,
@@ -213,6 +220,9 @@ static FANUC_6M: Facts = Facts {
     ],
     ..FANUC_0M
 };
+
+/// Involutes are what it is here for; its other words are those of the 0M.
+static FANUC_30I: Facts = Facts { involutes: true, ..FANUC_0M };
 
 #[cfg(test)]
 mod tests {

@@ -168,7 +168,7 @@ impl Course {
                 Ok(line) => MoveCurve::Line(line),
                 Err(_) => MoveCurve::Vertical(at),
             },
-            MoveCurve::Arc(_) | MoveCurve::Cubic(_) => {
+            MoveCurve::Arc(_) | MoveCurve::Cubic(_) | MoveCurve::Involute(_) => {
                 self.join((at, height), &free, Role::Free);
                 self.path.moves.push(free);
                 return;

@@ -42,7 +42,7 @@ pub(crate) fn run(text: &str, steps: u32, radii: f64) -> Run {
                 'G' if value == 17.0 => plane = [0, 1, 2],
                 'G' if value == 18.0 => plane = [2, 0, 1],
                 'G' if value == 19.0 => plane = [1, 2, 0],
-                'G' if [0.0, 1.0, 2.0, 3.0, 5.0].contains(&value) => motion = value,
+                'G' if [0.0, 1.0, 2.0, 3.0, 5.0, 2.2, 3.2].contains(&value) => motion = value,
                 'G' if [20.0, 91.0, 41.0, 42.0].contains(&value) => panic!("not plain: {line}"),
                 'X' | 'Y' | 'Z' if place.is_none() && !dwells => {
                     to["XYZ".find(letter).expect("an axis")] = value;
@@ -51,6 +51,7 @@ pub(crate) fn run(text: &str, steps: u32, radii: f64) -> Run {
                 'I' | 'J' | 'K' => center["IJK".find(letter).expect("an axis")] = value,
                 'P' if motion == 5.0 => control[0] = value,
                 'Q' if motion == 5.0 => control[1] = value,
+                'R' if motion == 2.2 || motion == 3.2 => control[0] = value,
                 'N' | 'F' => {}
                 _ => run.words.push(format!("{letter}{value}")),
             }
@@ -75,6 +76,11 @@ pub(crate) fn run(text: &str, steps: u32, radii: f64) -> Run {
             let mut point = [0, 1, 2].map(|k| from[k] + (to[k] - from[k]) * t);
             if motion == 2.0 || motion == 3.0 {
                 let [first, second] = arc(from, to, center, plane, motion == 2.0, t, radii, line);
+                point[plane[0]] = first;
+                point[plane[1]] = second;
+            } else if motion == 2.2 || motion == 3.2 {
+                let [first, second] =
+                    involute(from, to, center, plane, control[0], motion == 2.2, t, radii, line);
                 point[plane[0]] = first;
                 point[plane[1]] = second;
             } else if motion == 5.0 {
@@ -131,6 +137,39 @@ fn arc(
     assert!((r0 - r1).abs() < tolerance, "radii disagree by {}: {line}", (r0 - r1).abs());
     let (at, r) = (angle(from) + turn * t, r0 + (r1 - r0) * t);
     [c[0] + r * at.cos(), c[1] + r * at.sin()]
+}
+
+/// A thread of a circle, as FANUC's manual of the 30i draws it: from its end at the start to that at
+/// the end, what the end is off spread over the way.
+#[expect(clippy::too_many_arguments, reason = "all that an involute block is")]
+fn involute(
+    from: [f64; 3],
+    to: [f64; 3],
+    center: [f64; 3],
+    [a, b, _]: [usize; 3],
+    radius: f64,
+    clockwise: bool,
+    t: f64,
+    tolerance: f64,
+    line: &str,
+) -> [f64; 2] {
+    let c = [from[a] + center[a], from[b] + center[b]];
+    let far = [from, to].map(|p| (p[a] - c[0]).hypot(p[b] - c[1]));
+    assert!(far[0] >= radius && far[1] >= radius, "an end is inside the base circle: {line}");
+    let threads = far.map(|far| (far * far - radius * radius).sqrt() / radius);
+    let sense = if (threads[1] > threads[0]) == clockwise { -1.0 } else { 1.0 };
+    // Where the thread of each end begins to come off.
+    let first = [(from, 0), (to, 1)]
+        .map(|(p, i)| (p[b] - c[1]).atan2(p[a] - c[0]) + sense * (threads[i].atan() - threads[i]));
+    let off = (first[1] - first[0] + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
+    assert!((radius * off).abs() < tolerance, "{} mm off the involute: {line}", radius * off);
+    let thread = threads[0] + (threads[1] - threads[0]) * t;
+    let leaves = first[0] + off * t + sense * thread;
+    let along = sense * thread * radius;
+    [
+        c[0] + radius * leaves.cos() + along * leaves.sin(),
+        c[1] + radius * leaves.sin() - along * leaves.cos(),
+    ]
 }
 
 /// The code of a line, and its comments with what encloses them.

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use g41::contour::MoveCurve;
-use g41::geometry::{Arc, Cubic, Curve, Line};
+use g41::geometry::{Arc, Cubic, Curve, Involute, Line};
 
 /// A curve of one piece.
 #[derive(Debug, Clone, Copy)]
@@ -16,6 +16,16 @@ pub(crate) enum Plain {
         sweep: f64,
     },
     Bezier([DVec2; 4]),
+    /// The end of a thread that comes off a circle, by so many radians from and to.
+    Involute {
+        center: DVec2,
+        radius: f64,
+        /// The angle at which the thread begins to come off.
+        first: f64,
+        counterclockwise: bool,
+        from: f64,
+        to: f64,
+    },
     /// The equidistant of a cubic, so far to its left.
     Parallel([DVec2; 4], f64),
 }
@@ -34,12 +44,26 @@ impl Plain {
         Self::Bezier(cubic.points)
     }
 
+    /// By its circle and its ends alone.
+    pub(crate) fn of_involute(involute: &Involute) -> Self {
+        let (center, radius) = (involute.center(), involute.base_radius());
+        let [start, end] = [involute.start(), involute.end()].map(|point| point - center);
+        let thread = |point: DVec2| (point.length_squared() - radius * radius).max(0.0).sqrt();
+        let [from, to] = [start, end].map(|point| thread(point) / radius);
+        let counterclockwise = (to > from) != involute.is_clockwise();
+        let sense = if counterclockwise { 1.0 } else { -1.0 };
+        // Seen from the centre the end of the thread lags behind where it leaves the circle.
+        let first = start.to_angle() + sense * (from.atan() - from);
+        Self::Involute { center, radius, first, counterclockwise, from, to }
+    }
+
     /// The pieces of a programmed curve.
     pub(crate) fn of_curve(curve: &Curve) -> Vec<Self> {
         match curve {
             Curve::Line(line) => vec![Self::of_line(line)],
             Curve::Arc(arc) => vec![Self::of_arc(arc)],
             Curve::Spline(spline) => spline.pieces().iter().map(Self::of_cubic).collect(),
+            Curve::Involute(involute) => vec![Self::of_involute(involute)],
         }
     }
 
@@ -49,6 +73,7 @@ impl Plain {
             MoveCurve::Line(line) => Some(Self::of_line(line)),
             MoveCurve::Arc(arc) => Some(Self::of_arc(arc)),
             MoveCurve::Cubic(cubic) => Some(Self::of_cubic(cubic)),
+            MoveCurve::Involute(involute) => Some(Self::of_involute(involute)),
             MoveCurve::Vertical(_) => None,
         }
     }
@@ -58,7 +83,7 @@ impl Plain {
         match self {
             Self::Line(..) => 16,
             Self::Arc { .. } | Self::Bezier(_) => 96,
-            Self::Parallel(..) => 192,
+            Self::Parallel(..) | Self::Involute { .. } => 192,
         }
     }
 
@@ -71,6 +96,13 @@ impl Plain {
             Self::Bezier([a, b, c, d]) => {
                 let (e, f, g) = (a.lerp(b, t), b.lerp(c, t), c.lerp(d, t));
                 e.lerp(f, t).lerp(f.lerp(g, t), t)
+            }
+            Self::Involute { center, radius, first, counterclockwise, from, to } => {
+                let roll = from + (to - from) * t;
+                let sense = if counterclockwise { 1.0 } else { -1.0 };
+                // Where the thread leaves the circle, and back along it.
+                let leaves = DVec2::from_angle(first + sense * roll);
+                center + leaves * radius - leaves.perp() * (sense * radius * roll)
             }
             Self::Parallel(cubic, offset) => {
                 let curve = Self::Bezier(cubic);
@@ -85,6 +117,11 @@ impl Plain {
             Self::Line(a, b) => b - a,
             Self::Arc { radius, from, sweep, .. } => {
                 DVec2::from_angle(from + sweep * t).perp() * radius * sweep
+            }
+            Self::Involute { radius, first, counterclockwise, from, to, .. } => {
+                let roll = from + (to - from) * t;
+                let sense = if counterclockwise { 1.0 } else { -1.0 };
+                DVec2::from_angle(first + sense * roll) * (radius * roll * (to - from))
             }
             Self::Bezier([a, b, c, d]) | Self::Parallel([a, b, c, d], _) => {
                 let (e, f, g) = (b - a, c - b, d - c);

@@ -40,7 +40,7 @@ fn off_the_whole_curve(curve: &Curve, point: DVec2) -> f64 {
     match curve {
         Curve::Line(line) => (point - line.start()).perp_dot(line.tangent()).abs(),
         Curve::Arc(arc) => (point.distance(arc.center()) - arc.radius()).abs(),
-        Curve::Spline(_) => panic!("a spline does not go on"),
+        Curve::Spline(_) | Curve::Involute(_) => panic!("it does not go on"),
     }
 }
 

@@ -170,8 +170,8 @@ fn edit(live: &mut LiveContour, random: &mut Random, reach: f64) {
     let segment = random.index(described.len());
     let by = random.point(reach);
     match &described[segment].0 {
-        // None is made here: it has no type points.
-        Shape::Bezier { .. } => {}
+        // None is made here: there is nothing to move that would leave it one.
+        Shape::Bezier { .. } | Shape::Involute { .. } => {}
         Shape::Spline(shape) => {
             let (points, count) = (shape.points.clone(), shape.points.len());
             let index = random.index(count);

@@ -96,6 +96,12 @@ impl Sketch {
             Shape::Bezier { controls } => {
                 Shape::Bezier { controls: controls.iter().map(|p| map(*p)).collect() }
             }
+            Shape::Involute { to, center, radius, clockwise } => Shape::Involute {
+                to: map(*to),
+                center: map(*center),
+                radius: length(*radius),
+                clockwise: *clockwise != mirrored,
+            },
         };
         Self {
             start: map(self.start),
@@ -141,6 +147,10 @@ impl Sketch {
                     controls.push(to);
                     Shape::Bezier { controls }
                 }
+                Shape::Involute { center, radius, clockwise, .. } => {
+                    let (center, radius) = (*center, *radius);
+                    Shape::Involute { to, center, radius, clockwise: !clockwise }
+                }
             }
         };
         Self {
@@ -167,7 +177,7 @@ impl Sketch {
         let first = match &contour.segments()[index].curve {
             Curve::Line(_) => line(middle),
             Curve::Arc(whole) => arc(middle, whole.center(), whole.is_clockwise()),
-            Curve::Spline(_) => return None,
+            Curve::Involute(_) | Curve::Spline(_) => return None,
         };
         let second = match &self.shapes[index] {
             Shape::ArcByRadius { to, radius, clockwise, .. } => Shape::ArcByRadius {

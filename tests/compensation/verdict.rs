@@ -5,7 +5,7 @@ use std::fmt;
 
 use g41::compensation::{CornerStyle, Options, avoid};
 use g41::contour::{Contour, Role, Segment, ToolPath};
-use g41::geometry::{Curve, flatten_arc, flatten_cubic};
+use g41::geometry::Curve;
 use g41::gouge::check;
 use glam::DVec2;
 
@@ -136,15 +136,7 @@ fn open_piece(path: &ToolPath, tolerance: f64) -> Option<Fault> {
 fn is_simple(contour: &Contour) -> bool {
     let mut points = vec![contour.start()];
     for segment in contour.segments() {
-        match &segment.curve {
-            Curve::Line(line) => points.push(line.end()),
-            Curve::Arc(arc) => flatten_arc(arc, 1e-3, &mut |point| points.push(point)),
-            Curve::Spline(spline) => {
-                for piece in spline.pieces() {
-                    flatten_cubic(piece, 1e-3, &mut |point| points.push(point));
-                }
-            }
-        }
+        segment.curve.flatten(1e-3, &mut |point| points.push(point));
     }
     let chords: Vec<[DVec2; 2]> = points
         .windows(2)
@@ -200,7 +192,7 @@ fn end_length(curve: &Curve, last: bool) -> f64 {
         Curve::Spline(spline) => {
             spline.pieces()[if last { spline.pieces().len() - 1 } else { 0 }].length()
         }
-        Curve::Line(_) | Curve::Arc(_) => curve.length(),
+        Curve::Line(_) | Curve::Arc(_) | Curve::Involute(_) => curve.length(),
     }
 }
 

@@ -10,6 +10,7 @@ mod bounds;
 mod chains;
 mod flatten;
 mod intersections;
+mod involutes;
 mod lengths;
 mod nearest;
 mod nurbs;

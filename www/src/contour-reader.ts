@@ -95,6 +95,10 @@ class Reader {
         const end = pairs(segment.controls).at(-1) ?? [0, 0];
         return { kind: "spline", points: [this.#take(end, isSpline)] };
       }
+      case "involute":
+        // Its end lies where circle and start let it; the text is where it is changed.
+        this.#plain = false;
+        return { kind: "spline", points: [this.#take(segment.to, () => false)] };
     }
   }
 

@@ -28,6 +28,7 @@ export const TARGETS: Readonly<Record<Target, string>> = {
   marlin: "Marlin",
   "fanuc-0m": "FANUC 0M",
   "fanuc-6m": "FANUC 6M",
+  "fanuc-30i": "FANUC 30i",
 };
 
 /** Whether a text is one of the names. */

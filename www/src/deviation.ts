@@ -52,7 +52,7 @@ const BLOCK = 4;
 const FROM = 9;
 const TO = 12;
 const SHAPE = 15;
-const [RAPID, ARC, CUBIC] = [0, 2, 3];
+const [RAPID, ARC, CUBIC, INVOLUTE] = [0, 2, 3, 4];
 
 /** Samples of one cubic: its error has a few waves. */
 const MOST_SAMPLES = 24;
@@ -169,10 +169,43 @@ function curveOf(record: Float64Array): Curve {
   ];
   if (record[KIND] === ARC) return arc(a, b, [p, q], r, w === 1);
   if (record[KIND] === CUBIC) return cubic(a, [p, q], [r, w], b);
+  if (record[KIND] === INVOLUTE) return involute(a, b, [p, q], r, w === 1);
   const v: Point = [b[0] - a[0], b[1] - a[1]];
   return {
     at: (t) => [a[0] + v[0] * t, a[1] + v[1] * t],
     rates: () => [v, [0, 0]],
+  };
+}
+
+/** An involute by the angle that its thread has come off the circle by. */
+function involute(a: Point, b: Point, [cx, cy]: Point, radius: number, clockwise: boolean): Curve {
+  const roll = ([x, y]: Point) =>
+    Math.sqrt(Math.max(0, (Math.hypot(x - cx, y - cy) / radius) ** 2 - 1));
+  const [start, end] = [roll(a), roll(b)];
+  const hand = end > start === clockwise ? -1 : 1;
+  const first = Math.atan2(a[1] - cy, a[0] - cx) + hand * Math.atan(start);
+  const span = end - start;
+  /** The unit vector to where the thread leaves the circle. */
+  const on = (t: number): Point => {
+    const angle = first + hand * span * t;
+    return [Math.cos(angle), Math.sin(angle)];
+  };
+  return {
+    at: (t) => {
+      const [x, y] = on(t);
+      const thread = hand * radius * (start + span * t);
+      return [cx + radius * x + thread * y, cy + radius * y - thread * x];
+    },
+    rates: (t) => {
+      const [x, y] = on(t);
+      const turned = start + span * t;
+      const [speed, change] = [radius * turned * span, radius * span * span];
+      const bend = hand * radius * turned * span * span;
+      return [
+        [speed * x, speed * y],
+        [change * x - bend * y, change * y + bend * x],
+      ];
+    },
   };
 }
 

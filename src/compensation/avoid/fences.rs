@@ -84,7 +84,7 @@ fn other_side(
         Some(MoveCurve::Cubic(cubic)) => {
             offset_span(&cubic, offset, tolerance, None, curves, &mut |_, _| {});
         }
-        Some(MoveCurve::Vertical(_)) | None => {}
+        Some(MoveCurve::Involute(_) | MoveCurve::Vertical(_)) | None => {}
     }
 }
 

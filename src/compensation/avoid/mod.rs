@@ -42,11 +42,15 @@ use super::path::PathBuilder;
 use super::{Options, SplineMethod};
 use crate::contour::{Contour, Tool, ToolPath};
 use crate::diagnostic::Diagnostic;
-use crate::geometry::Curve;
+use crate::geometry::{Curve, Decimal};
 
 /// Part of the tolerance that offsets of splines may use up where the path is cut. Elsewhere they use
 /// up all of it.
 const OFFSET_SHARE: f64 = 0.1;
+
+/// Part of the tolerance that the splines in the place of involutes may use up; the rest is for their
+/// offsets.
+const INVOLUTE_SHARE: f64 = 0.01;
 
 /// Part of the tolerance by which a place may be too near and still count as clear where there are
 /// splines: a piece and the one that cuts it may both be off by their share.
@@ -86,7 +90,7 @@ const SMALLER: [f64; 2] = [0.5, 0.3];
 ///
 /// The tool never comes nearer than `radius − tolerance` to any point of the contour, looked at as a
 /// whole; leads apart, which are as programmed. Splines are offset exactly, whatever
-/// `options.spline` says. Where the tool does not fit between distant segments the path falls into
+/// `options.spline` says, and involutes as splines that a hundredth of the tolerance is kept for. Where the tool does not fit between distant segments the path falls into
 /// several pieces, ordered by where they begin on the contour; a closed contour gives closed
 /// pieces. Outside corners are gone round by an arc where `options.corner` asks for straight moves
 /// but something else is in their way, or for anything but those; leads go straight to where the
@@ -147,6 +151,40 @@ pub(super) fn clear_path(
 }
 
 fn avoid_jobs(jobs: &[Job], radius: f64, options: &Options) -> ToolPath {
+    let tolerance = options.usable_tolerance();
+    let share = INVOLUTE_SHARE * tolerance;
+    let mut splined = Vec::with_capacity(jobs.len());
+    for job in jobs {
+        splined.push(job.contour.with_splines(share));
+    }
+    let Some(first) = splined.iter().position(Option::is_some) else {
+        return avoid_curves(jobs, radius, options);
+    };
+    let mut others = Vec::with_capacity(jobs.len());
+    for (job, splined) in jobs.iter().zip(&splined) {
+        others.push(Job { contour: splined.as_ref().unwrap_or(job.contour), ..*job });
+    }
+    let rest = Options { tolerance: tolerance - share, ..*options };
+    let mut path = avoid_curves(&others, radius, &rest);
+    path.diagnostics.push(tell_splines(jobs[first].contour, share));
+    path
+}
+
+/// Says that involutes were looked at as splines, and how near those are.
+fn tell_splines(contour: &Contour, share: f64) -> Diagnostic {
+    let message = format!("involutes count as splines {} mm from them", Decimal::of(share));
+    let diagnostic = Diagnostic::info("involutes-as-splines", message)
+        .with_hint("where gouges are avoided; elsewhere the path has involutes");
+    let involute =
+        contour.segments().iter().find(|segment| matches!(segment.curve, Curve::Involute(_)));
+    match involute {
+        Some(segment) => diagnostic.with_origin(segment.attributes.origin),
+        None => diagnostic,
+    }
+}
+
+/// [`avoid_jobs`] where there are no involutes.
+fn avoid_curves(jobs: &[Job], radius: f64, options: &Options) -> ToolPath {
     let has_spline = |job: &Job| {
         job.contour.segments().iter().any(|segment| matches!(segment.curve, Curve::Spline(_)))
     };

@@ -3,9 +3,11 @@
 //! Sets of directions are joined with one operation and tell at once whether a stretch of a contour
 //! turns by less than half a circle, which angles would cost arc tangents to tell.
 
+use std::f64::consts::{FRAC_PI_4, TAU};
+
 use glam::{DVec2, dvec2};
 
-use crate::geometry::{Arc, Bounds, Cubic, perp};
+use crate::geometry::{Bounds, Cubic, perp, rotate};
 
 /// A set of directions: bit `k` stands for the eighth from `45° k` to below `45° (k + 1)`, so that
 /// opposite directions are four bits apart.
@@ -63,6 +65,21 @@ impl Octants {
         Self::of(incoming).union(Self::of(half_way)).union(Self::of(outgoing))
     }
 
+    /// The directions of a curve that begins along `tangent` and turns one way by `turn` rad: those
+    /// at its ends and at every eighth of a turn between them.
+    pub(in crate::compensation) fn of_way(tangent: DVec2, turn: f64) -> Self {
+        // More than a turn has all of them.
+        let turn = turn.clamp(-TAU, TAU);
+        let steps = (turn.abs() / FRAC_PI_4).ceil().max(1.0);
+        let mut octants = Self::of(tangent);
+        let mut k = 1.0;
+        while k <= steps {
+            octants = octants.union(Self::of(rotate(tangent, turn * (k / steps))));
+            k += 1.0;
+        }
+        octants
+    }
+
     pub(super) fn union(self, other: Self) -> Self {
         Self(self.0 | other.0)
     }
@@ -111,19 +128,6 @@ impl Octants {
         }
         bounds
     }
-}
-
-/// Where an arc heads: the tangents at its ends and, as it turns evenly, at every eighth of a turn
-/// between them.
-pub(in crate::compensation) fn octants_of_arc(arc: &Arc) -> Octants {
-    let steps = (arc.sweep().abs() / std::f64::consts::FRAC_PI_4).ceil().max(1.0);
-    let mut octants = Octants::of(arc.tangent(0.0));
-    let mut k = 1.0;
-    while k <= steps {
-        octants = octants.union(Octants::of(arc.tangent(k / steps)));
-        k += 1.0;
-    }
-    octants
 }
 
 #[cfg(test)]

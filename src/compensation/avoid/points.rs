@@ -17,7 +17,7 @@ pub(super) fn shaping(segments: &[Segment], shortest: f64) -> Vec<usize> {
         let is_point = match curve {
             Curve::Line(line) => line.length() < shortest,
             Curve::Arc(arc) => arc.length() < shortest,
-            Curve::Spline(_) => false,
+            Curve::Spline(_) | Curve::Involute(_) => false,
         };
         if !is_point || curve.end().distance(end) >= shortest {
             kept.push(index);
@@ -50,6 +50,7 @@ pub(super) fn ends(curve: &Curve, shortest: f64) -> [MoveCurve; 2] {
     match curve {
         Curve::Line(line) => [MoveCurve::Line(*line); 2],
         Curve::Arc(arc) => [MoveCurve::Arc(*arc); 2],
+        Curve::Involute(involute) => [MoveCurve::Involute(*involute); 2],
         Curve::Spline(spline) => {
             let spans = shaping_spans(spline.pieces(), shortest);
             [spans.start, spans.end - 1].map(|span| MoveCurve::Cubic(spline.pieces()[span]))

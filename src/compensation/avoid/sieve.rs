@@ -110,9 +110,7 @@ impl<'a> Clearance<'a> {
                 Some(nearer) => nearer,
                 None => curve.nearest(point).distance < self.least,
             },
-            MoveCurve::Line(_) | MoveCurve::Arc(_) | MoveCurve::Vertical(_) => {
-                curve.nearest(point).distance < self.least
-            }
+            _ => curve.nearest(point).distance < self.least,
         }
     }
 
@@ -154,7 +152,7 @@ fn hull(curve: &MoveCurve) -> [DVec2; 4] {
     match curve {
         MoveCurve::Cubic(cubic) => cubic.points,
         MoveCurve::Line(line) => [line.start(), line.start(), line.end(), line.end()],
-        MoveCurve::Arc(_) | MoveCurve::Vertical(_) => {
+        MoveCurve::Arc(_) | MoveCurve::Involute(_) | MoveCurve::Vertical(_) => {
             let Bounds { min, max } = curve.bounds();
             [min, DVec2::new(max.x, min.y), max, DVec2::new(min.x, max.y)]
         }

@@ -345,7 +345,7 @@ impl Stitcher<'_> {
         let pieces = self.work.pieces_of(unit);
         let local = ((piece - pieces.start) as f64 + t) / pieces.len() as f64;
         let along = match &segment.curve {
-            Curve::Line(_) | Curve::Arc(_) => local,
+            Curve::Line(_) | Curve::Arc(_) | Curve::Involute(_) => local,
             Curve::Spline(spline) => {
                 spline.parameter_at(self.work.units[unit].span as usize, local)
             }

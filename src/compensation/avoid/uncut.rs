@@ -106,7 +106,7 @@ impl Region {
             Some(MoveCurve::Cubic(cubic)) => {
                 flatten_cubic(&cubic.part(from, to), tolerance, &mut |point| outline.push(point));
             }
-            Some(MoveCurve::Vertical(_)) | None => {}
+            Some(MoveCurve::Involute(_) | MoveCurve::Vertical(_)) | None => {}
         }
     }
 

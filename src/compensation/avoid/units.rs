@@ -6,7 +6,7 @@
 
 use glam::DVec2;
 
-use super::octants::{Octants, octants_of_arc};
+use super::octants::Octants;
 use super::points::{SHORTEST, ends, shaping, shaping_spans};
 use super::tree::{Node, Range};
 use crate::compensation::corner::classify_sharply;
@@ -142,6 +142,7 @@ impl<'a> Workpiece<'a> {
             Kind::Segment => Some(match &self.segment(unit).curve {
                 Curve::Line(line) => MoveCurve::Line(*line),
                 Curve::Arc(arc) => MoveCurve::Arc(*arc),
+                Curve::Involute(involute) => MoveCurve::Involute(*involute),
                 Curve::Spline(spline) => MoveCurve::Cubic(spline.pieces()[span as usize]),
             }),
             Kind::Corner(index) => {
@@ -260,7 +261,7 @@ pub(super) fn rough(cubic: &Cubic, tolerance: f64) -> f64 {
 
 fn spans_of(segment: &Segment) -> usize {
     match &segment.curve {
-        Curve::Line(_) | Curve::Arc(_) => 1,
+        Curve::Line(_) | Curve::Arc(_) | Curve::Involute(_) => 1,
         Curve::Spline(spline) => spline.pieces().len(),
     }
 }
@@ -381,7 +382,7 @@ impl Maker<'_> {
                     ArcOffset::Reversed(arc, _) => (Some(MoveCurve::Arc(arc)), false),
                 };
                 let path = self.pieces(curve.as_slice());
-                let octants = octants_of_arc(arc);
+                let octants = Octants::of_way(arc.tangent(0.0), arc.sweep());
                 self.add(unit, Node { contour: arc.bounds(), path, octants, fits });
             }
             Curve::Spline(spline) => {
@@ -413,6 +414,8 @@ impl Maker<'_> {
                 }
                 self.scratch = scratch;
             }
+            // It was made a spline before.
+            Curve::Involute(_) => {}
         }
     }
 
@@ -466,6 +469,7 @@ fn curvature(curve: &MoveCurve, t: f64) -> f64 {
         MoveCurve::Line(_) | MoveCurve::Vertical(_) => 0.0,
         MoveCurve::Arc(arc) => arc.curvature(),
         MoveCurve::Cubic(cubic) => cubic.curvature(t),
+        MoveCurve::Involute(involute) => involute.curvature(t),
     }
 }
 

@@ -141,8 +141,8 @@ impl LiveContour {
         self.edits += 1;
     }
 
-    /// Moves a point of a segment [mm]: the end of a line or an arc, index 0, the centre of an
-    /// arc, index 1, or a type point of a spline, its start not counted. The end of a closed contour
+    /// Moves a point of a segment [mm]: the end of anything but a spline, index 0, the centre of
+    /// an arc or an involute, index 1, or a type point of a spline, its start not counted. The end of a closed contour
     /// takes its start along.
     ///
     /// # Errors
@@ -150,11 +150,14 @@ impl LiveContour {
     pub fn move_point(&mut self, segment: usize, index: usize, to: DVec2) -> Result<(), EditError> {
         let shape = self.described.shape_mut(segment).ok_or(EditError::NoSegment)?;
         match shape {
-            Shape::Arc { center, .. } if index == 1 => {
+            Shape::Arc { center, .. } | Shape::Involute { center, .. } if index == 1 => {
                 *center = to;
                 self.refresh_around(segment);
             }
-            Shape::Line { .. } | Shape::Arc { .. } | Shape::ArcByRadius { .. } => {
+            Shape::Line { .. }
+            | Shape::Arc { .. }
+            | Shape::ArcByRadius { .. }
+            | Shape::Involute { .. } => {
                 if index > 0 {
                     return Err(EditError::NoPoint);
                 }
@@ -303,7 +306,10 @@ impl LiveContour {
     fn move_end(&mut self, segment: usize, end: DVec2) {
         if let Some(shape) = self.described.shape_mut(segment) {
             match shape {
-                Shape::Line { to } | Shape::Arc { to, .. } | Shape::ArcByRadius { to, .. } => {
+                Shape::Line { to }
+                | Shape::Arc { to, .. }
+                | Shape::ArcByRadius { to, .. }
+                | Shape::Involute { to, .. } => {
                     *to = end;
                 }
                 Shape::Spline(SplineShape { points, .. }) | Shape::Bezier { controls: points } => {
@@ -357,9 +363,12 @@ impl LiveContour {
             GougePolicy::Avoid => passes == Passes::One,
             GougePolicy::Stop => false,
         };
-        // Given cubics have no type points to solve for; and a kink makes several segments of one.
-        let has_given = contour.segments().iter().any(|segment| {
-            matches!(&segment.curve, Curve::Spline(spline) if !spline.is_through_points())
+        // Given cubics have no type points to solve for, and a kink makes several segments of one;
+        // involutes are followed as a whole.
+        let has_given = contour.segments().iter().any(|segment| match &segment.curve {
+            Curve::Spline(spline) => !spline.is_through_points(),
+            Curve::Involute(_) => true,
+            Curve::Line(_) | Curve::Arc(_) => false,
         });
         let is_local = is_local && !has_given && !looks_ahead(&contour, &self.options);
         if is_local && diagnostics.is_empty() {

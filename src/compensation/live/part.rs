@@ -7,18 +7,18 @@ use crate::compensation::offset::offset_span;
 use crate::compensation::run::{Run, part, reversed, with_start};
 use crate::compensation::transition::Terminal;
 use crate::contour::{Attributes, MoveCurve, Segment, Tool};
-use crate::geometry::{Bounds, Curve, SplineEdit, flatten_arc, flatten_cubic, perp};
+use crate::geometry::{Bounds, Curve, SplineEdit, perp};
 
 /// A segment.
 #[derive(Debug, Clone)]
 pub(super) enum Part {
-    /// A line or an arc.
+    /// A line, an arc or an involute.
     Plain(Segment),
     /// A spline whose points can be moved one by one.
     Spline(SplineEdit, Attributes),
 }
 
-/// A place on the offset of a part; a line or an arc is a single span.
+/// A place on the offset of a part; anything but a spline is a single span.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Spot {
     pub(super) span: usize,
@@ -55,7 +55,7 @@ impl Part {
     pub(super) fn new(segment: Segment) -> Self {
         match &segment.curve {
             Curve::Spline(spline) => Self::Spline(SplineEdit::new(spline), segment.attributes),
-            Curve::Line(_) | Curve::Arc(_) => Self::Plain(segment),
+            Curve::Line(_) | Curve::Arc(_) | Curve::Involute(_) => Self::Plain(segment),
         }
     }
 
@@ -78,7 +78,7 @@ impl Part {
         }
     }
 
-    /// Unit tangent at its start (0) or end (1), if it is a line or an arc.
+    /// Unit tangent at its start (0) or end (1), if it is no spline.
     pub(super) fn plain_tangent(&self, at_end: f64) -> Option<DVec2> {
         match self {
             Self::Plain(segment) => Some(segment.curve.tangent(at_end)),
@@ -285,15 +285,7 @@ impl Pen {
     pub(super) fn programmed(&mut self, curve: &Curve) {
         self.to(curve.start());
         let vertices = &mut self.vertices;
-        match curve {
-            Curve::Line(line) => vertices.push(line.end()),
-            Curve::Arc(arc) => flatten_arc(arc, self.chord, &mut |p| vertices.push(p)),
-            Curve::Spline(spline) => {
-                for cubic in spline.pieces() {
-                    flatten_cubic(cubic, self.chord, &mut |p| vertices.push(p));
-                }
-            }
-        }
+        curve.flatten(self.chord, &mut |p| vertices.push(p));
     }
 
     /// A curve, and what leads to it.

@@ -143,7 +143,7 @@ impl<'a> Control<'a> {
             match &segments[0].curve {
                 Curve::Line(line) => self.lead_in(line.end(), attributes)?,
                 Curve::Arc(arc) => self.arc_lead_in(arc, attributes)?,
-                Curve::Spline(_) => return self.spline(attributes),
+                Curve::Spline(_) | Curve::Involute(_) => return self.refuse_curve(attributes),
             }
             first = 1;
         } else {
@@ -181,7 +181,7 @@ impl<'a> Control<'a> {
                     let outgoing = self.arc(arc)?;
                     self.segment(&outgoing, &attributes)?;
                 }
-                Curve::Spline(_) => return self.spline(attributes),
+                Curve::Spline(_) | Curve::Involute(_) => return self.refuse_curve(attributes),
             }
         }
         if self.passage.is_cut_off {
@@ -199,7 +199,7 @@ impl<'a> Control<'a> {
         Ok(())
     }
 
-    fn spline(&mut self, attributes: &Attributes) -> Result<(), Refused> {
+    fn refuse_curve(&mut self, attributes: &Attributes) -> Result<(), Refused> {
         self.origin = attributes.origin;
         Err(Refused("spline-refused", "the control does not compensate splines"))
     }

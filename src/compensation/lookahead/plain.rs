@@ -51,6 +51,11 @@ impl Control<'_> {
                     self.queue.release();
                     self.queue.cubics(spline.pieces(), attributes);
                 }
+                Curve::Involute(involute) => {
+                    self.queue.release();
+                    let cubics = involute.cubics(self.options.usable_tolerance());
+                    self.queue.cubics(&cubics, attributes);
+                }
             }
         }
         if let Some(Lead { point, attributes }) = contour.lead_out() {

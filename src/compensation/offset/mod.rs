@@ -1,4 +1,5 @@
-//! Offsets of single segments: the equidistant of a line, an arc or a spline.
+//! Offsets of single segments: the equidistant of a line, an arc or a spline. That of an involute
+//! is geometry's.
 //!
 //! The offset by `δ = σ r` of a curve `C` with left normal `N` is `O = C + δ N`, and
 //! `O' = C' (1 − δ κ)`: where `1 − δ κ` is negative the tool does not fit into the bend, and the
@@ -8,6 +9,7 @@ mod arc;
 mod bend;
 mod cusps;
 mod fit;
+mod involute;
 mod line;
 mod proof;
 mod proved;
@@ -16,6 +18,7 @@ mod spline;
 use glam::DVec2;
 
 pub(super) use arc::{ArcOffset, offset_arc};
+pub(super) use involute::involute_bend;
 pub(super) use line::offset_line;
 pub use proved::{ProvedPiece, proved_offset};
 pub(super) use spline::{SpanEnd, offset_spline, spline_bends};

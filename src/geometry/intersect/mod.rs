@@ -5,6 +5,7 @@
 
 mod arc_arc;
 mod arc_spline;
+mod involute;
 mod line_arc;
 mod line_line;
 mod line_spline;
@@ -16,6 +17,7 @@ use super::sort_short;
 
 pub use arc_arc::{arc_arc, circles};
 pub use arc_spline::arc_cubic;
+pub use involute::involute_with;
 pub use line_arc::{line_arc, line_circle};
 pub use line_line::{line_line, lines_extended};
 pub use line_spline::line_cubic;

@@ -32,7 +32,7 @@ export interface SplineSegment {
   /** Tangent at the end, of any length but zero; without it, see `smooth`. */
   endTangent?: Point;
   /**
-   * Whether an end without a given tangent is tangent to a neighbouring line or arc; an end that
+   * Whether an end without a given tangent is tangent to a neighbouring line, arc or involute; an end that
    * has neither is natural (curvature zero). Default `false`.
    */
   smooth?: boolean;
@@ -55,8 +55,24 @@ export interface BezierSegment {
   controls: readonly Point[] | Float64Array;
 }
 
+/**
+ * An involute of a circle, as the flanks of gears are: away from the circle where its end is farther
+ * from the centre than its start, else towards it.
+ */
+export interface InvoluteSegment {
+  kind: "involute";
+  /** Its end, at most 0.028 mm off the involute through the start. */
+  to: Point;
+  /** Centre of the base circle, inside of which neither end lies. */
+  center: Point;
+  /** Radius of the base circle [mm]. */
+  baseRadius: number;
+  /** `true` as G2.2, `false` as G3.2. */
+  clockwise: boolean;
+}
+
 /** One segment of a contour; it starts where the one before it ends. */
-export type Segment = LineSegment | ArcSegment | SplineSegment | BezierSegment;
+export type Segment = LineSegment | ArcSegment | SplineSegment | BezierSegment | InvoluteSegment;
 
 /** The programmed boundary of a part. */
 export interface Contour {
@@ -88,6 +104,7 @@ export interface Contour {
  * | side | `6, right` |
  * | tool radius | `7, radius` |
  * | Bézier curves | `8, count, x0, y0, x1, y1, …` |
+ * | involute | `9, x, y, center x, center y, base radius, clockwise` |
  *
  * `closed`, `clockwise` and `right` are 0 or 1. `flags` is a sum of: 1 the start tangent is given, 2 the end
  * tangent is given, 4 smooth, 8 periodic, 16 not periodic, 32 centripetal; a tangent that is not

@@ -6,7 +6,8 @@ import type { Diagnostic } from "./reports.js";
  * or left out with a diagnostic.
  *
  * `"grbl"` is read by every controller of plain G-code in millimetres; `"smoothieware"` is its CNC
- * build, `"marlin"` Marlin 2 with its options as delivered.
+ * build, `"marlin"` Marlin 2 with its options as delivered. Of these `"fanuc-30i"` alone knows involutes
+ * (G2.2, G3.2); elsewhere they become arcs and lines.
  */
 export type Target =
   | "grbl"
@@ -15,14 +16,15 @@ export type Target =
   | "smoothieware"
   | "marlin"
   | "fanuc-0m"
-  | "fanuc-6m";
+  | "fanuc-6m"
+  | "fanuc-30i";
 
 /** How code is written. */
 export interface GcodeOptions {
   /** For whom. Default `"grbl"`. */
   target?: Target;
   /**
-   * How far arcs and lines in the place of cubics may be from them, rounded as they are written
+   * How far arcs and lines in the place of cubics and involutes may be from them, rounded as they are written
    * [mm]. Default 0.001. Where it is less than three units of the target's last digit, rounding may
    * add as much.
    */

@@ -10,7 +10,7 @@ export type Role = "segment" | "transition" | "lead-in" | "lead-out" | "free";
 /** What every move has. */
 export interface MoveBase {
   /**
-   * The plane in which it is programmed, that of an arc or a cubic: G17, G18 or G19. An arc is
+   * The plane in which it is programmed, that of a curve: G17, G18 or G19. A curve is
    * clockwise or not as seen from the positive side of the third axis.
    */
   plane: "xy" | "xz" | "yz";
@@ -51,5 +51,19 @@ export interface CubicMove extends MoveBase {
   control2: Point3;
 }
 
+/**
+ * A move along an involute of a circle, away from the circle where `to` is farther from its centre
+ * than `from`.
+ */
+export interface InvoluteMove extends MoveBase {
+  kind: "involute";
+  /** Centre of the base circle, at the height of `from`. */
+  center: Point3;
+  /** Radius of the base circle [mm]. */
+  baseRadius: number;
+  /** `true` as G2.2, `false` as G3.2, seen from above. */
+  clockwise: boolean;
+}
+
 /** One move of the tool centre. */
-export type Move = RapidMove | LineMove | ArcMove | CubicMove;
+export type Move = RapidMove | LineMove | ArcMove | CubicMove | InvoluteMove;

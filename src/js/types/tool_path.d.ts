@@ -65,7 +65,7 @@ export class ToolPath {
    *
    * | index | number |
    * | --- | --- |
-   * | 0 | kind: 0 rapid, 1 line, 2 arc, 3 cubic |
+   * | 0 | kind: 0 rapid, 1 line, 2 arc, 3 cubic, 4 involute |
    * | 1 | role: 0 segment, 1 transition, 2 lead-in, 3 lead-out, 4 free |
    * | 2 | plane: 0 xy, 1 xz, 2 yz; its two axes are x y, z x and y z |
    * | 3 | feed [mm/min], NaN where none is programmed |
@@ -73,7 +73,7 @@ export class ToolPath {
    * | 7, 8 | contour, segment of the origin; NaN where there is none |
    * | 9, 10, 11 | from x, y, z |
    * | 12, 13, 14 | to x, y, z |
-   * | 15, 16, 17, 18 | arc: center, radius, clockwise (0 or 1); cubic: control1, control2; points by the two axes of the plane; else 0 |
+   * | 15, 16, 17, 18 | arc: center, radius, clockwise (0 or 1); involute: center, baseRadius, clockwise; cubic: control1, control2; points by the two axes of the plane; else 0 |
    *
    * @param from index of the first move; default 0
    * @param to index behind the last; default all
