@@ -1,0 +1,9 @@
+//! Motion along paths against closed forms, brute force and the samples alone.
+
+#[path = "../common/mod.rs"]
+mod common;
+
+mod corners;
+mod interpolation;
+mod lengths;
+mod tracks;
