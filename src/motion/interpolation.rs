@@ -84,7 +84,7 @@ pub fn interpolate(spline: &Spline, step: f64, rule: StepRule) -> Vec<f64> {
             }
         };
         // Beyond the end, or where a rule has lost its way, there is no next point.
-        if t.is_nan() || t > 1.0 || t < 0.0 {
+        if !(0.0..=1.0).contains(&t) {
             break;
         }
         found.push(t);
