@@ -24,7 +24,7 @@ pub enum CornerCurve {
 }
 
 /// Coefficients by powers of `y`, the lowest first.
-pub(super) type Series = [f64; 8];
+pub(super) type Series = [f64; 7];
 
 /// The fixed polynomials of one kind of curve.
 pub(super) struct Family {
@@ -125,7 +125,7 @@ impl Family {
 }
 
 const fn series(given: &[f64]) -> Series {
-    let mut all = [0.0; 8];
+    let mut all = [0.0; 7];
     let mut i = 0;
     while i < given.len() {
         all[i] = given[i];
@@ -138,7 +138,7 @@ const fn series(given: &[f64]) -> Series {
 /// `k` of the product becomes `x^(2k + least)/(2k + least)`, with `least` 1 for an even integrand
 /// and 2 for one that has another factor of `x`; the power of `x` in front is left out.
 const fn integral(a: &[f64], b: &[f64], raised: usize, least: f64) -> Series {
-    let mut sum = [0.0; 8];
+    let mut sum = [0.0; 7];
     let mut i = 0;
     while i < a.len() {
         let mut j = 0;

@@ -10,6 +10,7 @@ mod shape;
 use glam::DVec3;
 
 pub use family::CornerCurve;
+use family::Series;
 pub use shape::CornerShape;
 
 use super::{Frame, Straight};
@@ -98,7 +99,7 @@ impl Corner {
         }
         let y = x * x;
         let [along, across] = [
-            0.5 * self.scale * x * value(&self.shape.along(-1.0), y),
+            0.5 * self.scale * x * (value(&length, y) - value(&self.shape.behind(), y)),
             self.scale * self.shape.sin * y * value(&self.shape.across(), y),
         ];
         let ([cos, sin], curvature, sharpness) = self.shape.bend(x);
@@ -178,7 +179,7 @@ impl Corner {
 }
 
 /// A polynomial of `y` (Horner).
-fn value(series: &[f64; 8], y: f64) -> f64 {
+fn value(series: &Series, y: f64) -> f64 {
     let mut sum = 0.0;
     for c in series.iter().rev() {
         sum = sum * y + c;

@@ -121,7 +121,7 @@ impl CornerShape {
         let free = self.free();
         let factors =
             [self.cos * self.cos, 2.0 * self.cos * free, free * free, sign * self.sin * self.sin];
-        let mut sum = [0.0; 8];
+        let mut sum = [0.0; 7];
         for (k, sum) in sum.iter_mut().enumerate() {
             *sum = factors[0] * even[k]
                 + factors[1] * both[k]
@@ -131,11 +131,20 @@ impl CornerShape {
         sum
     }
 
+    /// Twice the part of [`along`](Self::along) by `v²`: what progress falls behind the length by.
+    pub(super) fn behind(&self) -> Series {
+        let mut double = self.curve.family().squares[3];
+        for term in &mut double {
+            *term *= 2.0 * self.sin * self.sin;
+        }
+        double
+    }
+
     /// How far the curve has bent away from the tangent of its middle, over `S y`: `∫ u v dx`.
     pub(super) fn across(&self) -> Series {
         let [even, middle] = &self.curve.family().across;
         let free = self.free();
-        let mut sum = [0.0; 8];
+        let mut sum = [0.0; 7];
         for (k, sum) in sum.iter_mut().enumerate() {
             *sum = self.cos * even[k] + free * middle[k];
         }
