@@ -15,6 +15,7 @@ mod speed;
 mod straight;
 mod track;
 mod unwound;
+mod violations;
 
 pub use by_length::ByLength;
 pub use corner::{Corner, CornerCurve, CornerShape};
@@ -27,3 +28,4 @@ pub use sample::Motion;
 pub use straight::Straight;
 pub use track::{Joint, Placed, Stretch, TrackBuilder, pieces, track};
 pub use unwound::Unwound;
+pub use violations::{Limit, Violation, violations};

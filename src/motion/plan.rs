@@ -91,6 +91,18 @@ impl Planner {
         self.block += 1;
     }
 
+    /// From the next corner on: stops at the end of each move (G61.1), or rounds corners within a
+    /// deviation [mm] (G64 P); with 0 the path is kept exactly (G61).
+    pub fn blend(&mut self, exact_stop: bool, corner_deviation: f64) {
+        self.limits.exact_stop = exact_stop;
+        self.limits.corner_deviation = corner_deviation.max(0.0);
+    }
+
+    /// Comes to rest, and begins the next move wherever it does, at once: the coordinates are others.
+    pub fn jump(&mut self) {
+        self.last = None;
+    }
+
     /// Stands still for a time [s], after the moves so far.
     pub fn pause(&mut self, seconds: f64, motion: &mut Motion) {
         if let Some(last) = self.last
@@ -99,7 +111,10 @@ impl Planner {
             let piece = Piece::Straight(Straight { start: last, tangent: DVec3::X, length: 0.0 });
             self.law.clear();
             self.law.push(Phase::of_snap(seconds, [0.0; 4], 0.0));
+            // The wait is that of the move before it.
+            self.block = self.block.saturating_sub(1);
             self.sample(&piece, motion);
+            self.block += 1;
         }
     }
 

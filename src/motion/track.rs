@@ -175,6 +175,18 @@ impl TrackBuilder {
         self.rests = true;
     }
 
+    /// From the next joint on, stops at the end of each move, or rounds within a deviation [mm].
+    pub fn blend(&mut self, exact_stop: bool, deviation: f64) {
+        self.exact_stop = exact_stop;
+        self.deviation = deviation.max(0.0);
+    }
+
+    /// Lets the tool rest, and the next move begin wherever it does: the coordinates are others.
+    pub fn jump(&mut self) {
+        self.rests = true;
+        self.end = None;
+    }
+
     /// Takes a piece. One that begins elsewhere than the last ended is reached by a rapid move, from
     /// rest to rest.
     pub fn push_stretch(&mut self, mut stretch: Stretch, track: &mut Vec<Placed>) {

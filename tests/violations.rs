@@ -1,0 +1,199 @@
+//! The judge of motion, on motions made up from closed forms: it finds each limit that is broken, and
+//! no other.
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use g41::contour::{Move, MoveCurve, Plane, Role};
+use g41::diagnostic::Origin;
+use g41::geometry::{Arc, Line};
+use g41::motion::{AxisLimits, Limit, Limits, Motion, Violation, violations};
+use glam::{DVec2, DVec3, dvec2, dvec3};
+
+const PERIOD: f64 = 1e-3;
+
+fn one_move(curve: MoveCurve, feed: Option<f64>) -> Move {
+    Move {
+        curve,
+        role: Role::Segment,
+        rapid: false,
+        feed,
+        plane: Plane::Xy,
+        heights: [0.0, 0.0],
+        origin: Origin::Segment(0),
+    }
+}
+
+fn line(from: DVec2, to: DVec2) -> Move {
+    one_move(MoveCurve::Line(Line::new(from, to).expect("it has a length")), None)
+}
+
+/// Samples of positions, with channels that say nothing.
+fn motion_of(count: usize, position: impl Fn(f64) -> DVec3) -> Motion {
+    let mut motion = Motion::default();
+    for index in 0..count {
+        let time = index as f64 * PERIOD;
+        let DVec3 { x, y, z } = position(time);
+        motion.time.push(time);
+        motion.x.push(x);
+        motion.y.push(y);
+        motion.z.push(z);
+        for channel in [
+            &mut motion.velocity,
+            &mut motion.tangential_acceleration,
+            &mut motion.normal_acceleration,
+            &mut motion.jerk,
+        ] {
+            channel.push(0.0);
+        }
+        motion.block.push(0);
+        motion.duration = time;
+    }
+    motion
+}
+
+/// A quarter of a circle of 10 mm at 20 mm/s: acceleration v²/R = 40, jerk v³/R² = 80.
+fn circle() -> (Motion, Vec<Move>) {
+    let turn = std::f64::consts::FRAC_PI_2;
+    let samples = 786;
+    let angle = turn / 785.0 / PERIOD;
+    let motion = motion_of(samples, |time| {
+        dvec3(10.0 * (angle * time).cos(), 10.0 * (angle * time).sin(), 0.0)
+    });
+    let arc = Arc::from_center(dvec2(10.0, 0.0), dvec2(0.0, 10.0), DVec2::ZERO, false, 1e-9)
+        .expect("it is one");
+    (motion, vec![one_move(MoveCurve::Arc(arc), None)])
+}
+
+fn loose() -> Limits {
+    Limits { velocity: 21.0, acceleration: 41.0, jerk: 82.0, ..Limits::default() }
+}
+
+fn broken(motion: &Motion, moves: &[Move], limits: &Limits) -> Vec<Limit> {
+    violations(motion, moves, limits).iter().map(|violation| violation.limit).collect()
+}
+
+fn assert_near(value: f64, expected: f64, within: f64, what: &str) {
+    assert!((value - expected).abs() <= within, "{what}: {value}, not {expected}");
+}
+
+#[test]
+fn positions_alone_tell_velocity_acceleration_and_jerk() {
+    let (motion, moves) = circle();
+    assert_eq!(broken(&motion, &moves, &loose()), [], "within all limits");
+    for (limits, limit, expected) in [
+        (Limits { velocity: 19.9, ..loose() }, Limit::Velocity, 20.0),
+        (Limits { acceleration: 39.9, ..loose() }, Limit::Acceleration, 40.0),
+        (Limits { jerk: 79.5, ..loose() }, Limit::Jerk, 80.0),
+    ] {
+        let [Violation { limit: found, value, samples, .. }] =
+            violations(&motion, &moves, &limits)[..]
+        else {
+            panic!("{limit:?} alone");
+        };
+        assert_eq!(found, limit, "the limit");
+        assert_near(value, expected, 0.02 * expected, "its value");
+        assert!(samples > 700, "all samples break it: {samples}");
+    }
+}
+
+#[test]
+fn limits_of_axes_are_those_of_x_y_and_z() {
+    let (motion, moves) = circle();
+    let axes = |velocity, acceleration, jerk| Limits {
+        axes: Some(AxisLimits { velocity, acceleration, jerk }),
+        ..loose()
+    };
+    let [v, a, j] = [[21.0; 3], [41.0; 3], [82.0; 3]];
+    assert_eq!(broken(&motion, &moves, &axes(v, a, j)), [], "within all limits");
+    assert_eq!(
+        broken(&motion, &moves, &axes([21.0, 19.0, 1.0], a, j)),
+        [Limit::AxisVelocity],
+        "y is fastest where the circle begins, and z does not move"
+    );
+    assert_eq!(broken(&motion, &moves, &axes(v, [39.0, 41.0, 1.0], j)), [Limit::AxisAcceleration]);
+    assert_eq!(broken(&motion, &moves, &axes(v, a, [82.0, 75.0, 1.0])), [Limit::AxisJerk]);
+}
+
+#[test]
+fn channels_that_are_beyond_a_limit_are_told_with_place_and_time() {
+    let (mut motion, moves) = circle();
+    motion.jerk[100] = 90.0;
+    motion.jerk[101] = 95.0;
+    let found = violations(&motion, &moves, &loose());
+    let expected = Violation {
+        limit: Limit::Jerk,
+        value: 95.0,
+        allowed: 82.0,
+        time: motion.time[101],
+        block: 0,
+        samples: 2,
+    };
+    assert_eq!(found, [expected]);
+    motion.jerk[100] = f64::NAN;
+    assert_eq!(broken(&motion, &moves, &loose()), [Limit::Jerk], "what is no number is broken");
+    let (mut motion, moves) = circle();
+    motion.tangential_acceleration[5] = 30.0;
+    motion.normal_acceleration[5] = 30.0;
+    assert_eq!(broken(&motion, &moves, &loose()), [Limit::Acceleration], "of the vector");
+    let (mut motion, moves) = circle();
+    motion.normal_acceleration[5] = 40.0;
+    // The sagitta of a chord is v² κ Ts²/8.
+    let limits = Limits { chord_error: 4.9e-6, ..loose() };
+    assert_eq!(broken(&motion, &moves, &limits), [Limit::ChordError], "5e-6 mm");
+}
+
+#[test]
+fn a_programmed_feed_is_a_limit_with_its_override() {
+    let (mut motion, mut moves) = circle();
+    moves[0].feed = Some(18.0);
+    motion.velocity[7] = 20.0;
+    assert_eq!(broken(&motion, &moves, &loose()), [Limit::Feed]);
+    let faster = Limits { feed_override: 1.2, ..loose() };
+    assert_eq!(broken(&motion, &moves, &faster), []);
+    moves[0].rapid = true;
+    assert_eq!(broken(&motion, &moves, &loose()), [], "a rapid move has none");
+}
+
+#[test]
+fn samples_beside_the_path_or_short_of_its_end_are_found() {
+    let moves = [line(dvec2(0.0, 0.0), dvec2(1.0, 0.0)), line(dvec2(1.0, 0.0), dvec2(1.0, 1.0))];
+    let along = |off: f64, end: f64| {
+        let mut motion = motion_of(201, |time| {
+            let s = time / 0.1;
+            if s <= 1.0 { dvec3(s, off, 0.0) } else { dvec3(1.0, (s - 1.0).min(end), 0.0) }
+        });
+        motion.block[101..].fill(1);
+        motion
+    };
+    // These have corners, so their accelerations are beyond every limit, and no matter here.
+    let limits = Limits {
+        velocity: 100.0,
+        acceleration: 1e9,
+        jerk: 1e12,
+        corner_deviation: 0.05,
+        ..Limits::default()
+    };
+    assert_eq!(broken(&along(0.049, 1.0), &moves, &limits), [], "within the deviation");
+    assert_eq!(broken(&along(0.051, 1.0), &moves, &limits), [Limit::CornerDeviation]);
+    assert_eq!(broken(&along(0.0, 1.0 - 1e-8), &moves, &limits), [Limit::End]);
+    let mut moving = along(0.0, 1.0);
+    moving.velocity[200] = 0.5;
+    assert_eq!(broken(&moving, &moves, &limits), [Limit::Velocity], "it must end at rest");
+}
+
+#[test]
+fn a_jump_of_coordinates_is_no_motion() {
+    let moves = [line(dvec2(0.0, 0.0), dvec2(1.0, 0.0)), line(dvec2(50.0, 0.0), dvec2(51.0, 0.0))];
+    let mut motion = motion_of(201, |time| {
+        let s = time / 0.1;
+        dvec3(if s < 1.0 { s } else { 49.0 + s }, 0.0, 0.0)
+    });
+    motion.block[100..].fill(1);
+    let limits = Limits { acceleration: 1e4, jerk: 1e7, ..Limits::default() };
+    assert_eq!(broken(&motion, &moves, &limits), [], "where a move begins elsewhere");
+    motion.block[100..].fill(0);
+    assert!(
+        broken(&motion, &moves[..1], &limits).contains(&Limit::Velocity),
+        "in the middle of a move it is"
+    );
+}
