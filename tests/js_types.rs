@@ -14,8 +14,9 @@ use g41::diagnostic::{Diagnostic, Origin};
 use g41::geometry::Parameter;
 use g41::js::{
     Numbering, RECORD_STRIDE, contours_json, diagnostics_json, gouges_json, loops_json,
-    transitions_json, uncut_json,
+    transitions_json, uncut_json, violations_json,
 };
+use g41::motion::{Limit, Violation};
 use g41::program::{ContourEnd, ContourStart, ProgrammedContour, RadiusSource};
 use glam::{DVec2, dvec2};
 
@@ -41,6 +42,7 @@ fn samples_of_every_report_are_written_for_tsc() {
     }
     sample(&loops_json(&loops()), "api.PathLoop[]");
     sample(&contours_json(&contours()), "api.ProgrammedContour[]");
+    sample(&violations_json(&broken()), "api.Violation[]");
     sample(&RECORD_STRIDE.to_string(), "typeof api.RECORD_STRIDE");
 
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/js_types");
@@ -101,6 +103,19 @@ fn uncut() -> Vec<Uncut> {
 fn loops() -> Vec<PathLoop> {
     let outer = PathLoop { first_move: 0, moves_end: 4, pass: 0, parent: None };
     vec![outer, PathLoop { first_move: 4, moves_end: 8, pass: 1, parent: Some(0) }]
+}
+
+/// Each limit, broken.
+fn broken() -> Vec<Violation> {
+    use Limit::{
+        Acceleration, AxisAcceleration, AxisJerk, AxisVelocity, ChordError, CornerDeviation, End,
+        Feed, Jerk, Velocity,
+    };
+    let violation =
+        |limit| Violation { limit, value: 2.5, allowed: 2.0, time: 0.125, block: 3, samples: 7 };
+    let axes = [AxisVelocity, AxisAcceleration, AxisJerk];
+    let path = [Velocity, Feed, Acceleration, Jerk, CornerDeviation, ChordError, End];
+    axes.into_iter().chain(path).map(violation).collect()
 }
 
 /// Contours with segments of every kind, splines with every end, and every source of a radius.

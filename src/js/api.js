@@ -2,6 +2,7 @@
 import { bad } from "./check.js";
 import { call } from "./lifecycle.js";
 import { LiveContour } from "./live.js";
+import { Motion } from "./motion.js";
 import { contourCheckOptions, contourOptions, programCheckOptions, tolerance } from "./options.js";
 import { packContours } from "./pack.js";
 import { unpackPolylines } from "./polylines.js";
@@ -11,7 +12,7 @@ import { ToolPath, useToolPath } from "./tool_path.js";
 
 export { RECORD_STRIDE } from "./moves.js";
 export { readToolTable } from "./tool_table.js";
-export { LiveContour, Program, ProgramCompensation, ProgramReader, ToolPath };
+export { LiveContour, Motion, Program, ProgramCompensation, ProgramReader, ToolPath };
 
 /**
  * @param {string} text

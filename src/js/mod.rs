@@ -13,6 +13,7 @@ mod emit_settings;
 mod json;
 mod judge;
 mod live;
+mod motion;
 mod move_records;
 mod names;
 mod numbering;
@@ -30,6 +31,7 @@ pub use compensate::{compensate_contours, flatten_contours};
 pub use emit_settings::EmitSettings;
 pub use judge::check_contours;
 pub use live::LiveHandle;
+pub use motion::{MotionHandle, plan_motion, tools_of};
 pub use move_records::STRIDE as RECORD_STRIDE;
 pub use names::{
     CornerName, DialectName, Edit, GougeName, LeadName, List, OutputName, ParameterName,
@@ -39,7 +41,9 @@ pub use numbering::Numbering;
 pub use polylines_handle::PolylinesHandle;
 pub use program::ProgramHandle;
 pub use programmed::contours_json;
-pub use report::{diagnostics_json, gouges_json, loops_json, transitions_json, uncut_json};
+pub use report::{
+    diagnostics_json, gouges_json, loops_json, transitions_json, uncut_json, violations_json,
+};
 pub use settings::Settings;
 pub use slices::{CompensationHandle, ReaderHandle};
 pub use tool_path::ToolPathHandle;

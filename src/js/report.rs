@@ -7,6 +7,7 @@ use super::json::{Object, list};
 use super::numbering::{Numbering, Place};
 use crate::contour::{Gouge, GougeKind, PathLoop, Transition, TransitionKind, Uncut};
 use crate::diagnostic::{Diagnostic, Origin, Severity};
+use crate::motion::{Limit, Violation};
 
 /// `Diagnostic[]` of `types.d.ts` as JSON.
 #[must_use]
@@ -105,6 +106,34 @@ pub fn loops_json(loops: &[PathLoop]) -> String {
         if let Some(parent) = parent {
             object.number("parent", *parent as f64);
         }
+    })
+}
+
+/// `Violation[]` of `types.d.ts` as JSON.
+#[must_use]
+pub fn violations_json(violations: &[Violation]) -> String {
+    list(violations, |object, violation| {
+        let Violation { limit, value, allowed, time, block, samples } = violation;
+        object.text(
+            "limit",
+            match limit {
+                Limit::Velocity => "velocity",
+                Limit::Feed => "feed",
+                Limit::Acceleration => "acceleration",
+                Limit::Jerk => "jerk",
+                Limit::AxisVelocity => "axes.velocity",
+                Limit::AxisAcceleration => "axes.acceleration",
+                Limit::AxisJerk => "axes.jerk",
+                Limit::CornerDeviation => "cornerDeviation",
+                Limit::ChordError => "chordError",
+                Limit::End => "end",
+            },
+        );
+        object.number("value", *value);
+        object.number("allowed", *allowed);
+        object.number("time", *time);
+        object.number("block", (*block).into());
+        object.number("samples", *samples as f64);
     })
 }
 

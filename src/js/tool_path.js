@@ -3,6 +3,8 @@ import { bad } from "./check.js";
 import { drawOn, svgData } from "./draw.js";
 import { emitted } from "./gcode.js";
 import { coded, Handle } from "./lifecycle.js";
+import { packLimits } from "./limits.js";
+import { Motion } from "./motion.js";
 import { unpackMoves } from "./moves.js";
 import { polylinesOf } from "./polylines.js";
 
@@ -112,6 +114,15 @@ export class ToolPath {
   /** @param {number} [within] */
   polylines(within) {
     return polylinesOf(this.#handle, within);
+  }
+
+  /** @param {import("./types.d.ts").Limits} limits */
+  plan(limits) {
+    const packed = packLimits(limits);
+    return this.#handle.use((raw, glue) => {
+      const make = () => glue.planMotion(raw, packed);
+      return new Motion(make, raw.count(), glue.toolChanges(raw));
+    });
   }
 
   /** @returns {any} `Path2D`, which the types name only where the environment has it */

@@ -1,5 +1,7 @@
 //! A handle of a tool path.
 
+use std::rc::Rc;
+
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::argument::BadArgument;
@@ -16,7 +18,7 @@ use crate::contour::ToolPath;
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct ToolPathHandle {
-    path: ToolPath,
+    path: Rc<ToolPath>,
     numbering: Numbering,
 }
 
@@ -26,9 +28,14 @@ impl ToolPathHandle {
         &self.path
     }
 
+    /// The same, for a handle that may outlive this one.
+    pub(super) fn shared(&self) -> Rc<ToolPath> {
+        Rc::clone(&self.path)
+    }
+
     /// Holds a path whose segments are numbered so.
     pub(super) fn new(path: ToolPath, numbering: Numbering) -> Self {
-        Self { path, numbering }
+        Self { path: Rc::new(path), numbering }
     }
 }
 

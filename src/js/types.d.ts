@@ -44,6 +44,13 @@ export {
   version,
 } from "./types/loading.js";
 export {
+  type AxisLimits,
+  type Limits,
+  Motion,
+  type ToolTime,
+  type Violation,
+} from "./types/motion.js";
+export {
   type ArcMove,
   type CubicMove,
   type LineMove,

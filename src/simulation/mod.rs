@@ -3,12 +3,16 @@
 mod ahead;
 mod changes;
 mod judge;
+mod passed_words;
+mod planned;
 mod profile;
 mod program_path;
 mod tools;
 mod walls;
 
 pub use judge::check_program;
+pub use passed_words::{tool_changes, widest_deviation};
+pub use planned::plan_path;
 pub use profile::Profile;
 pub use program_path::{ProgramCompensation, compensate_program};
 pub use tools::{ListedTool, ToolSize, Tools};

@@ -3,6 +3,7 @@
 // The path of the tool centre.
 import type { Polylines } from "./contours.js";
 import type { Emitted, GcodeOptions } from "./gcode.js";
+import type { Limits, Motion } from "./motion.js";
 import type { Move } from "./moves.js";
 import type { Diagnostic, Gouge, Transition, Uncut } from "./reports.js";
 
@@ -80,6 +81,14 @@ export class ToolPath {
    * @throws {G41Error} `"bad-argument"`
    */
   records(from?: number, to?: number): Float64Array;
+  /**
+   * Plans how a machine runs the path, from rest to rest: corners rounded within a deviation, feeds kept
+   * where the limits allow it, dwells (G4) waited, G61, G61.1 and G64 with P obeyed. From one piece of the
+   * path to the next it goes straight, at the velocity of the limits.
+   *
+   * @throws {G41Error} `"bad-argument"` (also where the period makes more than 16 million samples)
+   */
+  plan(limits: Limits): Motion;
   /** The path for a canvas, rapid moves apart; only where the environment has `Path2D`. */
   toPath2D(): Path2DOfEnvironment;
   /** The path as SVG path data (the `d` attribute), rapid moves apart, with y up. */

@@ -1,0 +1,136 @@
+//! A handle of the motion along a tool path.
+
+use std::rc::Rc;
+
+use wasm_bindgen::prelude::wasm_bindgen;
+
+use super::argument::BadArgument;
+use super::report::violations_json;
+use super::tool_path::ToolPathHandle;
+use crate::contour::ToolPath;
+use crate::motion::{
+    AxisLimits, CornerCurve, CurvatureSteps, Limits, LimitsError, Mode, Motion, violations,
+};
+use crate::simulation::{plan_path, tool_changes, widest_deviation};
+
+/// Motion in time; `Motion` of `types.d.ts` holds one.
+#[wasm_bindgen]
+#[derive(Debug)]
+pub struct MotionHandle {
+    motion: Motion,
+    path: Rc<ToolPath>,
+    limits: Limits,
+}
+
+/// Plans the motion along a path; the numbers are those that `limits.js` packs.
+///
+/// # Errors
+/// Where a limit is not a positive number within reason.
+#[wasm_bindgen(js_name = planMotion)]
+pub fn plan_motion(path: &ToolPathHandle, numbers: &[f64]) -> Result<MotionHandle, BadArgument> {
+    let limits = limits_of(numbers);
+    let motion = plan_path(path.path(), &limits).map_err(bad)?;
+    Ok(MotionHandle { motion, path: path.shared(), limits })
+}
+
+/// The tools of a path by number, each after the index of its first move.
+#[wasm_bindgen(js_name = toolChanges)]
+#[must_use]
+pub fn tools_of(path: &ToolPathHandle) -> Vec<f64> {
+    let mut numbers = Vec::new();
+    for (from, tool) in tool_changes(path.path()) {
+        numbers.push(from as f64);
+        numbers.push(tool);
+    }
+    numbers
+}
+
+#[wasm_bindgen]
+impl MotionHandle {
+    /// `duration` [s].
+    #[must_use]
+    pub fn duration(&self) -> f64 {
+        self.motion.duration
+    }
+
+    /// The number of samples.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.motion.len()
+    }
+
+    /// One of the channels, in the order of `motion.js`.
+    #[must_use]
+    pub fn channel(&self, index: u32) -> Vec<f64> {
+        let motion = &self.motion;
+        match index {
+            0 => &motion.time,
+            1 => &motion.x,
+            2 => &motion.y,
+            3 => &motion.z,
+            4 => &motion.velocity,
+            5 => &motion.tangential_acceleration,
+            6 => &motion.normal_acceleration,
+            _ => &motion.jerk,
+        }
+        .clone()
+    }
+
+    /// `violations` as JSON.
+    #[must_use]
+    pub fn violations(&self) -> String {
+        let limits =
+            Limits { corner_deviation: widest_deviation(&self.path, &self.limits), ..self.limits };
+        violations_json(&violations(&self.motion, &self.path.moves, &limits))
+    }
+
+    /// `block`.
+    #[must_use]
+    pub fn block(&self) -> Vec<u32> {
+        self.motion.block.clone()
+    }
+}
+
+/// Limits from numbers in the order of `limits.js`: NaN stands for a snap that is not given, and the
+/// axes may be missing.
+fn limits_of(numbers: &[f64]) -> Limits {
+    let at = |index: usize| numbers.get(index).copied().unwrap_or_default();
+    let three = |first: usize| [at(first), at(first + 1), at(first + 2)];
+    Limits {
+        velocity: at(0),
+        acceleration: at(1),
+        jerk: at(2),
+        corner_deviation: at(3),
+        chord_error: at(4),
+        period: at(5),
+        snap: (!at(6).is_nan()).then_some(at(6)),
+        feed_override: at(7),
+        mode: if at(8) > 0.0 { Mode::Textbook } else { Mode::Fast },
+        curvature_steps: match at(9) {
+            ..0.5 => CurvatureSteps::Round,
+            0.5..1.5 => CurvatureSteps::Slow,
+            _ => CurvatureSteps::Stop,
+        },
+        corner: match at(10) {
+            ..0.5 => CornerCurve::Ph13,
+            0.5..1.5 => CornerCurve::Ph11,
+            1.5..2.5 => CornerCurve::Ph9,
+            _ => CornerCurve::Ph5,
+        },
+        exact_stop: at(11) > 0.0,
+        axes: (numbers.len() > 12).then(|| AxisLimits {
+            velocity: three(12),
+            acceleration: three(15),
+            jerk: three(18),
+        }),
+    }
+}
+
+fn bad(LimitsError { name }: LimitsError) -> BadArgument {
+    let must = match name {
+        "period" => "be a positive number within reason, and give less than 16 million samples",
+        "cornerDeviation" => "be at least 0 and within reason",
+        _ => "be a positive number within reason",
+    };
+    BadArgument::new(format!("limits.{name}"), must)
+}

@@ -1,0 +1,187 @@
+// Motion of the public face: channels, closed forms of simple paths, words that concern it, faults, memory.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+
+import { compensate, left, Motion, parseProgram, part, throwsCode } from "./sample.mjs";
+
+const mill = { velocity: 200, acceleration: 2000, jerk: 5e4 };
+
+const channels = [
+  ...["time", "x", "y", "z", "velocity", "tangentialAcceleration", "normalAcceleration", "jerk"],
+];
+
+/** The path of a program. */
+const pathOf = (text) => compensate(parseProgram(text));
+
+const planOf = (text, limits = {}) => pathOf(text).plan({ ...mill, ...limits });
+
+const near = (value, expected, within, what) =>
+  assert.ok(Math.abs(value - expected) <= within, `${what}: ${value}, not ${expected}`);
+
+test("all channels have a number for each sample, at multiples of the period and at the end", () => {
+  const path = compensate(part, left);
+  const motion = path.plan({ ...mill, period: 0.002 });
+  assert.ok(motion instanceof Motion);
+  for (const name of channels) {
+    assert.ok(motion[name] instanceof Float64Array, name);
+    assert.equal(motion[name].length, motion.count, name);
+    assert.equal(motion[name], motion[name], "the copy is made once");
+  }
+  assert.ok(motion.block instanceof Uint32Array);
+  assert.equal(motion.block.length, motion.count);
+  const last = motion.count - 1;
+  motion.time.slice(0, last).forEach((time, i) => {
+    near(time, i * 0.002, 1e-12, `time ${i}`);
+  });
+  near(motion.time[last], motion.duration, 1e-12, "the end");
+  assert.deepEqual([motion.velocity[0], motion.velocity[last]], [0, 0], "at rest");
+  const { to } = path.moves.at(-1);
+  near(Math.hypot(motion.x[last] - to[0], motion.y[last] - to[1]), 0, 1e-9, "end point");
+  assert.equal(motion.block[0], 0);
+  assert.equal(motion.block[last], path.count - 1);
+});
+
+test("a straight line takes as long as its ramps and its feed", () => {
+  // With jerk J, acceleration A and velocity V: V/A + A/J + S/V, by one more period or so for a jerk
+  // that has no steps.
+  const text = "G0 X0 Y0\nG1 X100 F12000\n";
+  const motion = planOf(text);
+  near(motion.duration, 0.1 + 0.04 + 0.5, 0.03, "duration");
+  assert.ok(motion.duration >= 0.64, `no faster than bounded jerk allows: ${motion.duration}`);
+  assert.ok(Math.max(...motion.velocity) <= 200 * (1 + 1e-9), "velocity");
+  assert.ok(Math.max(...motion.tangentialAcceleration) <= 2000 * (1 + 1e-9), "acceleration");
+  assert.ok(Math.max(...motion.jerk) <= 5e4 * (1 + 1e-9), "jerk");
+  assert.deepEqual(motion.violations, []);
+});
+
+test("a programmed feed is kept, and the override changes it", () => {
+  const text = "G0 X0 Y0\nG1 X20 F600\n";
+  near(Math.max(...planOf(text).velocity), 10, 1e-6, "F600");
+  near(Math.max(...planOf(text, { feedOverride: 1.5 }).velocity), 15, 1e-6, "at 150 %");
+  const rapid = planOf("G0 X0 Y0\nG0 X200\n", { feedOverride: 0.5 });
+  near(Math.max(...rapid.velocity), 200, 1e-6, "rapid moves are not overridden");
+});
+
+test("a dwell waits as long as it says, at rest", () => {
+  const apart = 2 * planOf("G0 X0 Y0\nG1 X30 F6000\n").duration;
+  const waited = planOf("G0 X0 Y0\nG1 X30 F6000\nG4 P0.75\nX60\n");
+  near(waited.duration, apart + 0.75, 1e-6, "duration");
+  const still = waited.velocity.filter((v, i) => v === 0 && Math.abs(waited.x[i] - 30) < 1e-9);
+  near(still.length, 750, 3, "samples at rest");
+});
+
+test("G61.1 stops at each block, G64 P rounds within its deviation, as the limits would", () => {
+  const corner = "X30\nY30\nX60\n";
+  const rounded = planOf(`G0 X0 Y0\nG1 F6000\n${corner}`);
+  const exact = planOf(`G0 X0 Y0\nG61.1\nG1 F6000\n${corner}`);
+  const option = planOf(`G0 X0 Y0\nG1 F6000\n${corner}`, { exactStop: true });
+  assert.equal(exact.duration, option.duration, "G61.1 is exactStop");
+  const wide = planOf(`G0 X0 Y0\nG64 P0.5\nG1 F6000\n${corner}`);
+  const given = planOf(`G0 X0 Y0\nG1 F6000\n${corner}`, { cornerDeviation: 0.5 });
+  assert.equal(wide.duration, given.duration, "G64 P is cornerDeviation");
+  assert.ok(wide.duration <= rounded.duration && rounded.duration <= exact.duration);
+  const passing = exact.velocity.filter(
+    (v, i) => v > 0 && Math.hypot(exact.x[i] - 30, exact.y[i]) < 1e-6,
+  );
+  assert.ok(passing.length <= 1, "it rests at the corner");
+});
+
+test("the times of blocks and tools add up to the duration", () => {
+  const text = "T1 M6\nG0 X0 Y0 Z5\nG1 Z0 F600\nX30\nT7 M6\nG0 Z5\nG1 X0 F1200\nM30\n";
+  const path = pathOf(text);
+  const motion = path.plan(mill);
+  const times = motion.blockTimes();
+  assert.equal(times.length, path.count);
+  const sum = (values) => values.reduce((total, value) => total + value, 0);
+  near(sum([...times]), motion.duration, 1e-9, "blocks");
+  const tools = motion.toolTimes();
+  assert.deepEqual(
+    tools.map(({ tool }) => tool),
+    [1, 7],
+  );
+  near(sum(tools.map(({ time }) => time)), motion.duration, 1e-9, "tools");
+  // 30 mm at 10 mm/s, and 30 mm at 20 mm/s, each with its ramps.
+  near(times[path.moves.findIndex(({ to }) => to[0] === 30)], 3, 0.3, "the third block");
+  assert.deepEqual(
+    pathOf("G0 X0 Y0\nG1 X5 F60\n")
+      .plan(mill)
+      .toolTimes()
+      .map(({ tool }) => tool),
+    [undefined],
+  );
+});
+
+test("between two pieces of a path it goes straight", () => {
+  const line = (y) => ({ start: [0, y], segments: [{ kind: "line", to: [10, y] }] });
+  const path = compensate([line(0), line(50)], { side: "left", radius: 0 });
+  const motion = path.plan(mill);
+  const steps = Array.from(motion.x, (x, i) =>
+    i === 0 ? 0 : Math.hypot(x - motion.x[i - 1], motion.y[i] - motion.y[i - 1]),
+  );
+  assert.ok(Math.max(...steps) <= 200 * 0.001 * (1 + 1e-6), "no jump");
+  assert.ok(motion.block.every((block) => block < path.count));
+});
+
+test("samples are written as comma-separated values", () => {
+  const motion = planOf("G0 X0 Y0\nG1 X-3.5 Y2 F600\n", { period: 0.01 });
+  const lines = motion.toCsv().trimEnd().split("\n");
+  assert.equal(lines[0], [...channels, "block"].join(","));
+  assert.equal(lines.length, motion.count + 1);
+  lines.slice(1).forEach((line, i) => {
+    const values = line.split(",").map(Number);
+    [...channels, "block"].forEach((name, k) => {
+      near(values[k], motion[name][i], 1e-9, `${name} ${i}`);
+    });
+  });
+  assert.doesNotMatch(motion.toCsv(), /-0[,\n]|e-/);
+});
+
+test("a limit that is missing or wrong is named", () => {
+  const path = compensate(part, left);
+  for (const [limits, place] of [
+    [undefined, "limits"],
+    [{ velocity: 1, acceleration: 1 }, "limits.jerk"],
+    [{ ...mill, velocity: 0 }, "limits.velocity"],
+    [{ ...mill, acceleration: Number.NaN }, "limits.acceleration"],
+    [{ ...mill, cornerDeviation: -0.1 }, "limits.cornerDeviation"],
+    [{ ...mill, chordError: "fine" }, "limits.chordError"],
+    [{ ...mill, period: 1e-9 }, "limits.period"],
+    [{ ...mill, snap: 0 }, "limits.snap"],
+    [{ ...mill, mode: "slow" }, "limits.mode"],
+    [{ ...mill, curvatureSteps: "jump" }, "limits.curvatureSteps"],
+    [{ ...mill, corner: "ph7" }, "limits.corner"],
+    [{ ...mill, exactStop: 1 }, "limits.exactStop"],
+    [{ ...mill, feedOverride: 0 }, "limits.feedOverride"],
+    [{ ...mill, axes: { velocity: [1, 1, 1] } }, "limits.axes.acceleration"],
+    [
+      { ...mill, axes: { velocity: [1, 0, 1], acceleration: [1, 1, 1], jerk: [1, 1, 1] } },
+      "limits.axes.velocity[1]",
+    ],
+    [{ ...mill, speed: 3 }, "limits.speed"],
+  ]) {
+    throwsCode(() => path.plan(limits), "bad-argument", place);
+  }
+});
+
+test("a motion of too many samples is refused, not begun", () => {
+  const path = pathOf("G0 X0 Y0\nG1 X1000 F1\n");
+  throwsCode(() => path.plan({ ...mill, period: 1e-5 }), "bad-argument", "limits.period");
+  const waits = pathOf("G0 X0 Y0\nG1 X1 F100\nG4 P1000000\n");
+  throwsCode(() => waits.plan(mill), "bad-argument", "limits.period");
+});
+
+test("a motion outlives its path, its channels outlive it, and nothing is left behind", () => {
+  const path = compensate(part, left);
+  const motion = path.plan(mill);
+  path[Symbol.dispose]();
+  const { velocity } = motion;
+  const count = motion.count;
+  assert.deepEqual(motion.violations, []);
+  motion[Symbol.dispose]();
+  motion[Symbol.dispose]();
+  assert.equal(velocity.length, count);
+  throwsCode(() => motion.x, "disposed");
+  throwsCode(() => motion.duration, "disposed");
+  throwsCode(() => path.plan(mill), "disposed");
+  assert.throws(() => new Motion(), TypeError);
+});

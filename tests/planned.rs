@@ -1,0 +1,85 @@
+//! Programs in time: words that concern motion, tools, coordinates that jump, and bounds.
+#[cfg(target_arch = "wasm32")]
+use wasm_bindgen_test::wasm_bindgen_test as test;
+
+use g41::compensation::Options;
+use g41::contour::ToolPath;
+use g41::motion::{Limits, Motion};
+use g41::program::{Dialect, Program, Rules, interpret};
+use g41::simulation::{Tools, compensate_program, plan_path, tool_changes};
+
+fn path_of(text: &str) -> ToolPath {
+    let read = interpret(&Program::parse(text, Dialect::Auto), Rules::default());
+    compensate_program(&read, &Tools::all(1.0), &Options::default())
+}
+
+fn motion_of(text: &str, limits: &Limits) -> Motion {
+    plan_path(&path_of(text), limits).expect("the limits are right")
+}
+
+fn time_of(text: &str) -> f64 {
+    motion_of(text, &Limits::default()).duration
+}
+
+fn assert_near(value: f64, expected: f64, what: &str) {
+    assert!((value - expected).abs() < 1e-9, "{what}: {value}, not {expected}");
+}
+
+#[test]
+fn a_dwell_takes_its_time_wherever_it_stands() {
+    let line = time_of("G0 X0 Y0\nG1 X30 F6000\n");
+    assert_near(time_of("G0 X0 Y0\nG1 X30 F6000\nG4 P1.25\n"), line + 1.25, "at the end");
+    let two = "G0 X0 Y0\nG1 X30 F6000\nG4 P0.5\nX60\n";
+    assert_near(time_of(two), 2.0 * line + 0.5, "between two moves");
+    assert_near(
+        time_of("G4 P3\nG0 X0 Y0\nG1 X30 F6000\n"),
+        line,
+        "before all moves it has no place",
+    );
+    assert_near(time_of("G0 X0 Y0\nG1 X30 F6000\n(G4 P9)\n"), line, "a comment is none");
+}
+
+#[test]
+fn corners_are_passed_as_the_words_say() {
+    let corner = "X30\nY30\n";
+    let with = |words: &str| time_of(&format!("G0 X0 Y0\n{words}\nG1 F6000\n{corner}"));
+    let given = |limits| motion_of(&format!("G0 X0 Y0\nG1 F6000\n{corner}"), &limits).duration;
+    let limits = Limits::default();
+    let wide = given(Limits { corner_deviation: 0.4, ..limits });
+    let exact = given(Limits { exact_stop: true, ..limits });
+    assert_near(with("G61.1"), exact, "G61.1");
+    assert_near(with("G61"), exact, "G61 at a corner that is sharp");
+    assert_near(with("G64 P0.4"), wide, "G64 P");
+    assert_near(
+        with("G20 G64 P0.4\nG21"),
+        given(Limits { corner_deviation: 10.16, ..limits }),
+        "in",
+    );
+    assert_near(with("G64"), given(limits), "G64");
+    assert_near(with("G61.1\nG64"), given(limits), "G64 after G61.1");
+    assert!(wide <= exact, "rounding is no slower: {wide} {exact}");
+}
+
+#[test]
+fn where_coordinates_are_given_other_numbers_no_time_passes() {
+    let line = time_of("G0 X0 Y0\nG1 X30 F6000\n");
+    let moved = "G0 X0 Y0\nG1 X30 F6000\nG92 X0\nX30\n";
+    assert_near(time_of(moved), 2.0 * line, "two lines, from rest to rest");
+}
+
+#[test]
+fn tools_are_in_the_spindle_from_m6_on_where_there_is_one() {
+    let with = |text: &str| tool_changes(&path_of(text));
+    assert_eq!(with("G0 X0\nT2 M6\nX5\nT3\nX6\nM6\nX7\n"), [(0, 2.0), (2, 3.0)], "M6");
+    assert_eq!(with("T1\nG0 X5\nT0202\nX6\n"), [(0, 1.0), (1, 202.0)], "T alone");
+    assert_eq!(with("G0 X5\n(T4)\n"), [], "a comment");
+}
+
+#[test]
+fn a_motion_of_too_many_samples_is_refused() {
+    let limits = Limits { period: 1e-5, ..Limits::default() };
+    for text in ["G0 X0\nG1 X1000 F1\n", "G0 X0\nG1 X1 F100\nG4 P100000\n"] {
+        let refused = plan_path(&path_of(text), &limits).expect_err(text);
+        assert_eq!(refused.name, "period", "{text}");
+    }
+}
