@@ -23,7 +23,7 @@ test("--help tells the commands, the options and the exit codes, on standard out
     assert.match(out, /^Usage: g41 COMMAND/);
     assert.match(out, /^ {2}convert .*\n.*\n? {2}check/ms);
   }
-  for (const command of ["convert", "check"]) {
+  for (const command of ["convert", "check", "plan"]) {
     const { code, out, err } = await g41([command, "--help"]);
     assert.deepEqual([code, err], [0, ""]);
     for (const option of ["--from", "--radius", "--tool", "--tool-table", "--profile", "--gouge"]) {

@@ -116,6 +116,25 @@ const verdict = {
 };
 
 /** @type {Group} */
+const motion = {
+  title: "The machine, and what is told of its motion",
+  flags: {
+    limits: {
+      value: "NAME=VALUE,…",
+      several: true,
+      help:
+        "what the machine can do: velocity [mm/s], acceleration [mm/s²] and jerk [mm/s³]; beside these " +
+        "there are cornerDeviation [mm], chordError [mm], period [s], snap [mm/s⁴], feedOverride, mode " +
+        "(fast, textbook), curvatureSteps (round, slow, stop), corner (ph13, ph11, ph9, ph5), exactStop " +
+        "(true, false), axes.velocity, axes.acceleration and axes.jerk (X/Y/Z)",
+    },
+    "all-blocks": { help: "list all blocks in the order of the program, not the longest alone" },
+    csv: { value: "OUT", help: "write the samples to this file as comma-separated values" },
+    json: { help: "write times, costs and broken limits as JSON instead of tables" },
+  },
+};
+
+/** @type {Group} */
 const general = {
   title: "Others",
   flags: {
@@ -139,6 +158,12 @@ export const commands = {
       "Reads programs, compensates them, and judges by distances alone whether the tool cuts into what should stay. Ends with exit code 1 where it does, or where a program has errors.",
     usage: "g41 check FILE… [OPTIONS]",
     groups: [reading, tools, compensation, verdict, general],
+  },
+  plan: {
+    purpose:
+      "Reads and compensates a program, plans the motion of a machine along it, and tells the cycle time by tool and by block, and what each limit costs. Ends with exit code 1 where the motion breaks a limit, or where the program has errors.",
+    usage: "g41 plan FILE --limits velocity=200,acceleration=2000,jerk=5e4 [OPTIONS]",
+    groups: [reading, tools, compensation, motion, general],
   },
 };
 

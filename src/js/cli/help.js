@@ -9,7 +9,8 @@ const files =
 
 const exitCodes = `Exit codes:
   0  all is well
-  1  a program has errors or gouges; what could be made of it is written all the same
+  1  a program has errors or gouges, or its motion breaks a limit; what could be made
+     of it is written all the same
   2  the command was used wrongly
   3  a file cannot be read or written
   4  an internal error: please report it`;

@@ -14,6 +14,7 @@ import { complain } from "./report.js";
 const runs = {
   convert: async () => (await import("./convert.js")).convert,
   check: async () => (await import("./check.js")).check,
+  plan: async () => (await import("./plan.js")).plan,
 };
 
 /**
@@ -100,7 +101,9 @@ function failureOf(error) {
       `--${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;
     return {
       code: exit.usage,
-      message: message.replace(/^options\.(\w+)/, (_, name) => flag(name)),
+      message: message
+        .replace(/^options\.(\w+)/, (_, name) => flag(name))
+        .replace(/^limits\./, "--limits: "),
     };
   }
   if (path !== undefined) {

@@ -1,0 +1,79 @@
+// g41 plan: how long a machine takes for a program, and what that time goes into.
+
+import { csvPieces } from "../motion.js";
+import { compensate, parseProgram } from "../node.js";
+import { blocksOf, costsOf } from "./cycle_time.js";
+import { exit, misused } from "./failure.js";
+import { nameOf, readText } from "./input.js";
+import { limitsOf } from "./limits.js";
+import { keepInputs, write } from "./output.js";
+import { Progress } from "./progress.js";
+import { report } from "./report.js";
+import { parseOptions, programOptions, toolsOf } from "./settings.js";
+import { planText } from "./tables.js";
+
+/** @typedef {import("./arguments.js").Values} Values */
+
+/** @type {import("./progress.js").Steps} */
+const steps = [
+  ["reading", 0.2],
+  ["compensating", 0.9],
+  ["planning", 4],
+];
+
+/**
+ * @param {readonly string[]} files
+ * @param {Values} values
+ * @returns {Promise<number>} the exit code
+ */
+export async function plan(files, values) {
+  const [file, another] = files;
+  if (file === undefined || another !== undefined) {
+    const what =
+      file === undefined ? "the program is missing" : `${another}: one program at a time`;
+    misused(what, "g41 plan FILE, or g41 plan - for standard input");
+  }
+  const { csv, json } = /** @type {{ csv?: string, json?: true }} */ (values);
+  const table = /** @type {string | undefined} */ (values["tool-table"]);
+  if (csv !== undefined) {
+    await keepInputs(csv, table === undefined ? [file] : [file, table]);
+  }
+  const limits = limitsOf(values.limits);
+  const tools = await toolsOf(values);
+  const { text } = await readText(file);
+  const progress = new Progress(text.length, steps);
+  /** @type {import("../types.d.ts").Diagnostic[]} */
+  let found;
+  let broken = 0;
+  try {
+    progress.next();
+    const program = parseProgram(text, parseOptions(values));
+    progress.next();
+    const path = compensate(program, programOptions(values, tools));
+    program[Symbol.dispose]?.();
+    progress.next();
+    found = path.diagnostics;
+    const motion = path.plan(limits);
+    const { duration, violations } = motion;
+    broken = violations.length;
+    const planned = {
+      duration,
+      tools: motion.toolTimes(),
+      blocks: blocksOf(path, motion),
+      costs: costsOf(path, limits),
+      violations,
+    };
+    if (csv !== undefined) {
+      await write(csv, csvPieces(motion), "utf8");
+    }
+    const pieces = json
+      ? [`${JSON.stringify(planned)}\n`]
+      : planText(nameOf(file), planned, Boolean(values["all-blocks"]));
+    await write(undefined, pieces, "utf8");
+  } finally {
+    await progress.end();
+  }
+  report(nameOf(file), found);
+  const isFaulty = broken > 0 || found.some(({ severity }) => severity === "error");
+  return isFaulty ? exit.faults : exit.fine;
+}
