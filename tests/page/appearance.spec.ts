@@ -88,6 +88,49 @@ for (const scheme of ["light", "dark"] as const) {
     ["wide", 1440, 900],
     ["narrow", 390, 844],
   ] as const) {
+    test(`${scheme}, ${name}: motion without violation`, async ({ page }, info) => {
+      await page.emulateMedia({ colorScheme: scheme });
+      await page.setViewportSize({ width, height });
+      const g41 = new G41Page(page);
+      await g41.open("star");
+      await page.getByRole("button", { name: "Motion" }).click();
+      await expect(page.locator(".motion-plot canvas")).toHaveCount(3);
+      await expect(page.locator("#motion")).toHaveAttribute("aria-busy", "false");
+      await expect(page.locator(".motion-times .stale")).toHaveCount(0);
+      await page.getByText("More", { exact: true }).click();
+      await page.getByRole("slider", { name: "Time" }).fill("300");
+      await page.screenshot({ path: info.outputPath(`motion-${name}.png`), fullPage: true });
+      expect(await violations(page)).toEqual([]);
+      const scroll = await page.evaluate(() => document.documentElement.scrollWidth);
+      expect(scroll).toBeLessThanOrEqual(width);
+
+      // What tools for accessibility cannot see: the letters and lines of the plots.
+      const ink = await page
+        .locator(".motion-plot canvas")
+        .last()
+        .evaluate((element) => {
+          const canvas = element as HTMLCanvasElement;
+          const { data } =
+            canvas.getContext("2d")?.getImageData(0, 0, canvas.width, canvas.height) ?? {};
+          const paper = getComputedStyle(document.documentElement).getPropertyValue("--panel");
+          const dark = Number.parseInt(paper.slice(1, 3), 16) < 128;
+          let most = 0;
+          for (let i = 0; data && i < data.length; i += 4) {
+            const light = ((data[i] ?? 0) + (data[i + 1] ?? 0) + (data[i + 2] ?? 0)) / 3;
+            if ((data[i + 3] ?? 0) > 200) most = Math.max(most, dark ? light : 255 - light);
+          }
+          return most;
+        });
+      expect(ink).toBeGreaterThan(110);
+    });
+  }
+}
+
+for (const scheme of ["light", "dark"] as const) {
+  for (const [name, width, height] of [
+    ["wide", 1440, 900],
+    ["narrow", 390, 844],
+  ] as const) {
     test(`${scheme}, ${name}: a very long program without violation`, async ({ page }, info) => {
       await page.emulateMedia({ colorScheme: scheme });
       await page.setViewportSize({ width, height });

@@ -8,6 +8,7 @@ import "./style/panels.css";
 import "./style/findings.css";
 import "./style/deviation.css";
 import "./style/files.css";
+import "./style/motion.css";
 import "./style/narrow.css";
 import { openExample } from "./actions";
 import { autosave, restore } from "./autosave";
@@ -29,6 +30,7 @@ import { find } from "./panels/elements";
 import { filePanel } from "./panels/file-panel";
 import { galleryMenu } from "./panels/gallery-menu";
 import { legend } from "./panels/legend";
+import { motionButton } from "./panels/motion-button";
 import { parametersPanel } from "./panels/parameters-panel";
 import { toolbar } from "./panels/toolbar";
 import { toolsPanel } from "./panels/tools-panel";
@@ -158,9 +160,18 @@ deviationPanel(
   stage,
   store,
 );
+const recolourMotion = motionButton(
+  find("motion"),
+  find("toolbar").querySelector(".view-buttons") ?? find("toolbar"),
+  stage,
+  store,
+);
 legend(find("legend"), store);
 description(find("description"), store);
-connectScheme(find("scheme"), (scheme) => stage.setScheme(scheme));
+connectScheme(find("scheme"), (scheme) => {
+  stage.setScheme(scheme);
+  recolourMotion();
+});
 
 galleryMenu(
   find<HTMLSelectElement>("example"),

@@ -310,11 +310,12 @@ export class Stage {
 
   /** The tool stands at the corner that is shown, or follows the pointer along its path. */
   #toolPlace(): Tool | undefined {
-    const { result, corner, probe } = this.#store.state;
+    const { result, corner, probe, played } = this.#store.state;
     if (!result) return undefined;
     const tool = (at: Point, line: number | undefined) => {
       return { at, radius: Math.abs(radiusOn(result, contourAt(result, line))) };
     };
+    if (played) return tool(played.at, played.line);
     if (probe) return tool(probe, lineOfMove(result, nearestOn(result.path, probe)?.owner ?? 0));
     const transition = corner === undefined ? undefined : result.transitions[corner];
     const there = transition && tool(transitionPlace(transition, result), lineOf(transition));

@@ -55,6 +55,8 @@ export interface State {
   readonly finding: string | undefined;
   /** Where on its path the tool is shown, as the plot of deviations asks for it. */
   readonly probe: Point | undefined;
+  /** Where the tool is as it runs along its path, and on the move of which line of the text. */
+  readonly played: { readonly at: Point; readonly line: number | undefined } | undefined;
   /** The contour that is dragged, as long as it is ahead of the result. */
   readonly live: LivePicture | undefined;
 }
@@ -85,6 +87,7 @@ export class Store {
       chosen: undefined,
       finding: undefined,
       probe: undefined,
+      played: undefined,
       live: undefined,
     };
   }

@@ -1,0 +1,249 @@
+// The panel of motion: on demand, plots with limits, a player, and a cursor that picture and plots share.
+import { expect, type Page, test } from "@playwright/test";
+import { G41Page } from "./page";
+
+/** Opens the panel and waits for the plots. */
+async function opened(page: Page, example?: string): Promise<G41Page> {
+  const g41 = new G41Page(page);
+  await g41.open(example);
+  await page.getByRole("button", { name: "Motion" }).click();
+  await expect(page.locator(".motion-plot canvas")).toHaveCount(3);
+  await planned(page);
+  return g41;
+}
+
+async function planned(page: Page): Promise<void> {
+  await expect(page.locator("#motion")).toHaveAttribute("aria-busy", "false");
+  await expect(page.locator(".motion-times .stale")).toHaveCount(0);
+}
+
+/** A time of the list [s]. */
+async function time(page: Page, name: string): Promise<number> {
+  const item = page.locator(".motion-times li", { hasText: name });
+  const text = (await item.locator("strong").textContent()) ?? "";
+  const [whole, rest] = text.replace(/ .*/, "").split(":").map(Number) as [number, number?];
+  return rest === undefined ? whole : 60 * whole + rest;
+}
+
+async function enter(page: Page, field: string, value: string): Promise<void> {
+  const input = page.getByLabel(field, { exact: true });
+  await input.fill(value);
+  await input.press("Enter");
+  await page.waitForTimeout(200);
+  await planned(page);
+}
+
+/** What the live layer of the picture shows. */
+function drawn(g41: G41Page): Promise<string> {
+  return g41.canvas.evaluate((canvas) => (canvas as HTMLCanvasElement).toDataURL());
+}
+
+test("the plots are loaded when they are wanted, and not before", async ({ page }) => {
+  const loaded: string[] = [];
+  page.on("request", (request) => loaded.push(request.url()));
+  const g41 = new G41Page(page);
+  await g41.open();
+  await page.waitForLoadState("networkidle");
+  expect(loaded.filter((url) => /motion-panel|motion\.worker/.test(url))).toEqual([]);
+  await expect(page.locator("#motion")).toBeHidden();
+  const button = page.getByRole("button", { name: "Motion" });
+  await button.click();
+  await expect(button).toHaveAttribute("aria-expanded", "true");
+  await expect(page.locator(".motion-plot canvas")).toHaveCount(3);
+  expect(loaded.some((url) => url.includes("motion-panel"))).toBe(true);
+  await button.click();
+  await expect(page.locator("#motion")).toBeHidden();
+  expect(g41.errors).toEqual([]);
+});
+
+test("the times of the plan, of full stops and of the textbook stand beside each other", async ({
+  page,
+}) => {
+  const g41 = await opened(page, "star");
+  const own = await time(page, "Cycle time");
+  expect(own).toBeGreaterThan(0);
+  expect(await time(page, "Full stops")).toBeGreaterThanOrEqual(own);
+  expect(await time(page, "Textbook")).toBeGreaterThan(0);
+  await expect(page.locator(".motion-times .inside")).toHaveText("keeps every limit");
+  for (const [title, unit] of [
+    ["Feed", "mm/min"],
+    ["Acceleration", "mm/s²"],
+    ["Jerk", "mm/s³"],
+  ] as const) {
+    const plot = page.getByRole("img", {
+      name: new RegExp(`^${title}: at most .* ${unit}, limit`),
+    });
+    await expect(plot).toBeVisible();
+  }
+  expect(g41.errors).toEqual([]);
+});
+
+test("limits, override and method change the time, and are kept over a reload", async ({
+  page,
+}) => {
+  const g41 = await opened(page, "star");
+  await page.getByRole("radio", { name: "Fastest" }).check();
+  await page.waitForTimeout(200);
+  await planned(page);
+  const before = await time(page, "Cycle time");
+  await enter(page, "Jerk in mm/s³", "5000");
+  const slow = await time(page, "Cycle time");
+  expect(slow).toBeGreaterThan(1.2 * before);
+  await expect(page.getByRole("img", { name: /^Jerk: .*limit 5 ?000 mm/ })).toBeVisible();
+  await page.getByRole("combobox", { name: "Machine" }).selectOption("Fast machine");
+  await page.waitForTimeout(200);
+  await planned(page);
+  expect(await time(page, "Cycle time")).toBeLessThan(before);
+  await expect(page.getByLabel("Velocity in mm/min")).toHaveValue("30000");
+  await page.reload();
+  await page.getByRole("button", { name: "Motion" }).click();
+  await expect(page.getByLabel("Velocity in mm/min")).toHaveValue("30000");
+  await expect(page.getByRole("combobox", { name: "Machine" })).toHaveValue("Fast machine");
+  expect(g41.errors).toEqual([]);
+});
+
+test("the motion follows the program", async ({ page }) => {
+  const g41 = await opened(page, "star");
+  const before = await time(page, "Cycle time");
+  const text = await g41.program.inputValue();
+  await g41.program.fill(text.replace(/F\d+/g, "F60"));
+  await page.waitForTimeout(300);
+  await planned(page);
+  expect(await time(page, "Cycle time")).toBeGreaterThan(2 * before);
+});
+
+test("the tool plays, pauses, and is taken along by mouse and keys", async ({ page }) => {
+  const g41 = await opened(page, "star");
+  const slider = page.getByRole("slider", { name: "Time" });
+  const still = await drawn(g41);
+  await page.getByRole("button", { name: "Play" }).click();
+  await expect.poll(async () => Number(await slider.inputValue())).toBeGreaterThan(5);
+  expect(await drawn(g41)).not.toBe(still);
+  await page.getByRole("button", { name: "Pause" }).click();
+  const paused = await slider.inputValue();
+  await page.waitForTimeout(200);
+  expect(await slider.inputValue()).toBe(paused);
+  await slider.focus();
+  await page.keyboard.press("End");
+  const total = await time(page, "Cycle time");
+  await expect(slider).toHaveAttribute(
+    "aria-valuetext",
+    `${total.toFixed(2)} s of ${total.toFixed(2)} s`,
+  );
+  await page.keyboard.press("Home");
+  for (let i = 0; i < 3; i += 1) await page.keyboard.press("Shift+ArrowRight");
+  await expect(slider).toHaveAttribute("aria-valuetext", /^0\.03 s of/);
+  await page.keyboard.press("Space");
+  await expect(page.getByRole("button", { name: "Pause" })).toBeVisible();
+  expect(g41.errors).toEqual([]);
+});
+
+test("time passes as fast as it is asked to", async ({ page }) => {
+  await opened(page, "star");
+  const reached = async (speed: string, wait: number) => {
+    await page.getByLabel("Speed").selectOption(speed);
+    await page.getByRole("slider", { name: "Time" }).fill("0");
+    await page.getByRole("button", { name: "Play" }).click();
+    await page.waitForTimeout(wait);
+    await page.getByRole("button", { name: "Pause" }).click();
+    const text = await page.locator(".motion-time").textContent();
+    return Number.parseFloat(text ?? "");
+  };
+  const true_ = await reached("1", 1000);
+  expect(true_).toBeGreaterThan(0.8);
+  expect(true_).toBeLessThan(2);
+  const tenth = await reached("0.1", 1000);
+  expect(tenth).toBeGreaterThan(0.07);
+  expect(tenth).toBeLessThan(0.25);
+  await page.getByLabel("Speed").selectOption("100");
+  await page.getByRole("slider", { name: "Time" }).fill("0");
+  await page.getByRole("button", { name: "Play" }).click();
+  // At a hundred times its speed it is soon at its end, where it pauses.
+  await expect(page.getByRole("button", { name: "Play" })).toBeVisible();
+  await expect(page.getByRole("slider", { name: "Time" })).toHaveValue("1000");
+});
+
+test("while it plays the line of the program is marked", async ({ page }) => {
+  await opened(page, "star");
+  await page.getByLabel("Speed").selectOption("10");
+  await page.getByRole("button", { name: "Play" }).click();
+  await expect(page.locator("#panel-program .gutter .current")).toHaveCount(1);
+  const first = await page.locator("#panel-program .gutter .current").textContent();
+  await expect(page.locator("#panel-program .gutter .current")).not.toHaveText(first ?? "");
+});
+
+test("who wants less motion sees the tool in steps", async ({ page }) => {
+  await page.emulateMedia({ reducedMotion: "reduce" });
+  await opened(page, "star");
+  const slider = page.getByRole("slider", { name: "Time" });
+  await page.evaluate(() => {
+    const seen = new Set<string>();
+    (window as unknown as { seen: Set<string> }).seen = seen;
+    const output = document.querySelector(".motion-time") as HTMLElement;
+    new MutationObserver(() => seen.add(output.textContent ?? "")).observe(output, {
+      childList: true,
+    });
+  });
+  await page.getByRole("button", { name: "Play" }).click();
+  await page.waitForTimeout(1600);
+  const steps = await page.evaluate(() => (window as unknown as { seen: Set<string> }).seen.size);
+  expect(steps).toBeGreaterThanOrEqual(2);
+  expect(steps).toBeLessThanOrEqual(4);
+  expect(Number(await slider.inputValue())).toBeGreaterThan(0);
+});
+
+test("the pointer on a plot moves the tool, a click takes the player there", async ({ page }) => {
+  const g41 = await opened(page, "star");
+  const plot = page.getByRole("img", { name: /^Jerk/ });
+  const box = await plot.boundingBox();
+  if (!box) throw new Error("the plot is not shown");
+  const at = async (part: number) => {
+    await page.mouse.move(box.x + part * box.width, box.y + box.height / 2);
+    await g41.frames(2);
+    return drawn(g41);
+  };
+  const first = await at(0.3);
+  await expect(page.locator(".motion-said").first()).toHaveText(/allowed .* reached .* mm\/min$/);
+  expect(await at(0.6)).not.toBe(first);
+  await page.mouse.click(box.x + 0.6 * box.width, box.y + box.height / 2);
+  const slider = page.getByRole("slider", { name: "Time" });
+  expect(Number(await slider.inputValue())).toBeGreaterThan(590);
+  expect(Number(await slider.inputValue())).toBeLessThan(610);
+});
+
+test("the pointer near the path shows on the plots where that is", async ({ page }) => {
+  const g41 = await opened(page, "star");
+  const box = await g41.canvas.boundingBox();
+  if (!box) throw new Error("the canvas is not shown");
+  const said = page.locator(".motion-said").first();
+  const seen = new Set<string>();
+  for (let i = 1; i < 12; i += 1) {
+    await page.mouse.move(box.x + (i / 12) * box.width, box.y + box.height / 2);
+    seen.add((await said.textContent()) ?? "");
+  }
+  expect(seen.size).toBeGreaterThan(3);
+});
+
+test("plots against the length of the way, and closer", async ({ page }) => {
+  const g41 = await opened(page, "star");
+  const plots = page.locator(".motion-plots");
+  const whole = await plots.screenshot();
+  await page.getByRole("radio", { name: "Length" }).check();
+  await g41.frames(2);
+  expect((await plots.screenshot()).equals(whole)).toBe(false);
+  await page.getByRole("radio", { name: "Time" }).check();
+  const closer = page.getByRole("button", { name: "Plots closer" });
+  for (let i = 0; i < 3; i += 1) await closer.click();
+  await g41.frames(2);
+  expect((await plots.screenshot()).equals(whole)).toBe(false);
+  const box = await page.getByRole("img", { name: /^Feed/ }).boundingBox();
+  if (!box) throw new Error("the plot is not shown");
+  await page.mouse.dblclick(box.x + 20, box.y + 20);
+  expect(g41.errors).toEqual([]);
+});
+
+test("a limit that cannot be is brought into its range", async ({ page }) => {
+  await opened(page);
+  await enter(page, "Acceleration in mm/s²", "0");
+  await expect(page.getByLabel("Acceleration in mm/s²")).toHaveValue("1");
+});
