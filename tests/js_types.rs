@@ -164,6 +164,7 @@ fn contours() -> Vec<ProgrammedContour> {
             contour,
             side,
             radius,
+            allowance: 0.0,
             unit: 1.0,
             orientation: 0,
             leads_in: false,

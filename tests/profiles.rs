@@ -444,3 +444,75 @@ fn the_profiles_are_options_that_may_be_given_otherwise() {
     let path = path_with(&square([""; 4]), Profile::Sinumerik, &options);
     assert_eq!(arcs(&path), [], "an option given explicitly wins");
 }
+
+#[test]
+fn g40_with_a_vector_leads_out_from_where_the_path_meets_that_along_a_wall() {
+    let program = |words: &str, wall: &str| {
+        format!("G0 X0 Y-20\nG41 D1 G1 X0 Y0 F100\nY30\n{words}\nG40 {wall} X60 Y60\nM30\n")
+    };
+    // The wall goes up at 45° behind a line to the right: an inside corner for the tool above, at
+    // y = 32, where the wall's own path is 2√2 to the left of it.
+    let inside = path_of(&program("X30", "I10 J10"), Profile::Fanuc);
+    let meets = p(30.0 + 2.0 - 2.0 * 2.0_f64.sqrt(), 32.0);
+    near_point(inside.moves[3].curve.end(), meets, 1e-9, "cut back");
+    near_point(inside.moves[4].curve.start(), meets, 1e-9, "and out from there");
+    near_point(inside.moves[4].curve.end(), p(60.0, 60.0), 1e-9, "to the end");
+    assert_eq!(inside.moves.len(), 5, "{:?}", inside.moves);
+    // Down at 45° it is an outside corner, and the line is run on.
+    let outside = path_of(&program("X30", "I10 J-10"), Profile::Fanuc);
+    let v = p(30.0 - 2.0 + 2.0 * 2.0_f64.sqrt(), 32.0);
+    near_point(outside.moves[3].curve.end(), v, 1e-9, "run on");
+    // However sharp: back at 135° from the direction of the line.
+    let sharp = path_of(&program("X30", "I-10 J-10"), Profile::Fanuc);
+    let v = p(30.0 + 2.0 / (22.5_f64).to_radians().tan(), 32.0);
+    near_point(sharp.moves[3].curve.end(), v, 1e-9, "far on");
+    // Along the line itself there is no intersection, and without a vector none is sought.
+    for wall in ["I10 J0", ""] {
+        let plain = path_of(&program("X30", wall), Profile::Fanuc);
+        near_point(plain.moves[3].curve.end(), p(30.0, 32.0), 1e-9, wall);
+        assert_eq!(codes(&plain), [""; 0], "{wall}");
+    }
+    // An arc's path, of radius 12 about (10, 30), meets the wall's path, x = 22 − 2.
+    let arc = path_of(&program("G2 X20 Y30 I10 J0", "G1 I0 J10"), Profile::Fanuc);
+    let end = arc.moves[3].curve.end();
+    near(end.distance(p(10.0, 30.0)), 12.0, 1e-9, "on the arc's path");
+    near(end.x, 18.0, 1e-9, "and on the wall's");
+    let text = emit(
+        &programmed_path(&read(&program("X30", "I10 J10"), Profile::Fanuc)),
+        &EmitOptions { target: g41::program::Target::Fanuc0M, ..EmitOptions::default() },
+    )
+    .text;
+    assert!(text.contains("G40 I10. J10. X60. Y60."), "kept for a control that has it: {text}");
+}
+
+#[test]
+fn offn_is_left_on_the_contour() {
+    let program = square(["OFFN=0.5", "", "", ""]);
+    let path = path_of(&program, Profile::Sinumerik);
+    near_point(path.moves[1].curve.end(), p(-2.5, 0.0), 1e-9, "2 mm and 0.5 mm");
+    near(arcs(&path)[0].distance(p(0.0, 30.0)), 0.0, 1e-9, "about the corner");
+    let inch = path_of(&program.replace("G21", "G70"), Profile::Sinumerik);
+    near(inch.moves[1].curve.end().x, -(2.0 + 0.5 * 25.4), 1e-9, "in inches it is one, too");
+    // A new allowance takes effect over the next straight block, as a new radius does.
+    let changed = path_of(&square(["", "", "OFFN=1", ""]), Profile::Sinumerik);
+    let tapered = changed.moves.iter().any(|step| {
+        let [a, b] = [step.curve.start(), step.curve.end()];
+        (a.y - 32.0).abs() < 1e-9 && (b.y - 33.0).abs() < 1e-9
+    });
+    assert!(tapered, "{:?}", changed.moves);
+    let kept = programmed_path(&read(&program, Profile::Sinumerik));
+    assert!(codes(&kept).contains(&"left-out"), "{:?}", kept.diagnostics);
+}
+
+#[test]
+fn leads_of_sinumerik_that_are_not_known_are_told() {
+    for (words, what) in
+        [("KONTT", "KONTT"), ("KONTC", "KONTC"), ("G461", "G461"), ("G462", "G462")]
+    {
+        let path = path_of(&square([words, "", "", ""]), Profile::Sinumerik);
+        assert_eq!(codes(&path), ["not-supported"], "{words}: {:?}", path.diagnostics);
+        assert!(path.diagnostics[0].message.contains(what), "{:?}", path.diagnostics);
+        assert!(path.moves.len() > 4, "the rest of the block counts");
+    }
+    assert_eq!(codes(&path_of(&square(["G460", "", "", ""]), Profile::Sinumerik)), [""; 0]);
+}

@@ -271,3 +271,96 @@ fn the_way_home_keeps_its_increments() {
     assert!(!marlin.text.contains("G91"), "{}", marlin.text);
     assert_eq!(marlin.diagnostics[0].message, "G28 is left out: the target does not know it");
 }
+
+#[test]
+fn heidenhain_gets_blocks_of_its_own_language() {
+    let written = write(WORDS, Target::Heidenhain);
+    let expected = [
+        "0 BEGIN PGM 12 MM",
+        "1 TOOL CALL 2 Z",
+        "2 ;drill",
+        "3 TOOL CALL S1500",
+        "4 M3",
+        "5 M8",
+        "6 L X+5 Y+5 Z+2.5 R0 FMAX",
+        "7 L Z-1 F60.5",
+        "8 CYCL DEF 9.0 DWELL TIME",
+        "9 CYCL DEF 9.1 DWELL 0.25",
+        "10 L X+10",
+        "11 M9",
+        "12 M30",
+        "13 END PGM 12 MM",
+    ];
+    assert_eq!(lines(&written.text), expected, "{}", written.text);
+    let found: Vec<_> = written.diagnostics.iter().map(|d| d.message.as_str()).collect();
+    assert_eq!(found.len(), 3, "{found:?}");
+    for (message, word) in found.into_iter().zip(["G43", "G61", "G54"]) {
+        assert!(message.starts_with(word), "{message}");
+    }
+}
+
+#[test]
+fn heidenhain_gets_centres_helices_and_moves_of_the_machine() {
+    let program = "S800 T3 M6\nG53 G0 Z-1\nG0 X10 Y0 Z5\nG3 X0 Y10 I-10 F200\nG2 X0 Y-10 Z0 J-10\n\
+                   G2 J10\nG0 Z5\nG18 G3 X10 Z15 I10\nT4\nM2\n";
+    let expected = [
+        "0 BEGIN PGM 1 MM",
+        "1 TOOL CALL 3 Z S800",
+        "2 L Z-1 FMAX M91",
+        "3 L X+10 Y+0 Z+5 R0 FMAX",
+        "4 CC X+0 Y+0",
+        "5 C X+0 Y+10 DR+ F200",
+        "6 CC X+0 Y+0",
+        "7 CP IPA-180 IZ-5 DR-",
+        "8 CC X+0 Y+0",
+        "9 C X+0 Y-10 DR-",
+        "10 L Z+5 FMAX",
+        "11 CC Z+5 X+10",
+        "12 C Z+15 X+10 DR+",
+        "13 TOOL DEF 4",
+        "14 M2",
+        "15 END PGM 1 MM",
+    ];
+    let written = write(program, Target::Heidenhain);
+    assert_eq!(lines(&written.text), expected, "{}", written.text);
+    assert!(written.diagnostics.is_empty(), "{written:?}");
+}
+
+#[test]
+fn heidenhain_compensates_itself_where_it_is_to() {
+    let program = "T1 M6\nG0 X-20 Y0 Z5\nG1 G41 D1 X0 F300\nY40\nX30\nG40 Y60\nM30\n";
+    let written = emit(
+        &programmed_path(&read(program)),
+        &EmitOptions { target: Target::Heidenhain, ..EmitOptions::default() },
+    );
+    let moves: Vec<&str> =
+        written.text.lines().filter_map(|line| line.split_once(' ')).map(|(_, b)| b).collect();
+    let expected = ["L X+0 RL F300", "L Y+40", "L X+30", "L Y+60 R0"];
+    assert_eq!(moves[3..7], expected, "{}", written.text);
+    assert!(written.diagnostics.is_empty(), "the radius is that of the tool: {written:?}");
+    let other = program.replace("D1", "D2");
+    let written = emit(
+        &programmed_path(&read(&other)),
+        &EmitOptions { target: Target::Heidenhain, ..EmitOptions::default() },
+    );
+    assert!(written.diagnostics[0].message.starts_with("D2"), "another radius: {written:?}");
+}
+
+#[test]
+fn heidenhain_gets_cubics_about_their_ends() {
+    // Bernstein to powers about the end, by hand: ends (0,0) and (30,0), controls (10,20), (20,20).
+    let program = "G17 G90 G0 X0 Y0 Z0\nG5 I10 J20 P-10 Q20 X30 Y0 F100\nM2\n";
+    let path = compensate_program(
+        &interpret(&Program::parse(program, Dialect::LinuxCnc), Rules::default()),
+        &Tools::all(0.0),
+        &Options::default(),
+    );
+    let options = EmitOptions {
+        target: Target::Heidenhain,
+        splines: SplineOutput::Native,
+        ..EmitOptions::default()
+    };
+    let text = emit(&path, &options).text;
+    let expected = ["2 SPL X+30 Y+0 ~", "K3X+0 K2X+0 K1X-3E+1 ~", "K3Y+0 K2Y-6E+1 K1Y+6E+1 F100"];
+    assert_eq!(lines(&text)[2..5], expected, "{text}");
+}

@@ -79,7 +79,8 @@ pub(super) fn compensate_traced(
             (lead, lead_in(lead.point, lead.attributes.wish.lead, first, tool, options))
         }),
         lead_out: leads[1].map(|lead| {
-            (lead, lead_out(last, lead.point, lead.attributes.wish.lead, tool, options))
+            let wish = lead.attributes.wish.lead;
+            (lead, lead_out(last, lead.point, contour.wall(), wish, tool, options))
         }),
     };
     trace.begin(spans, first_move);

@@ -8,12 +8,19 @@
 use glam::DVec2;
 
 use super::beyond::is_too_sharp;
-use super::corner::{classify, round_by_conic, round_the_corner};
+use super::corner::{
+    Solved, classify, corner_between, round_by_conic, round_the_corner, solve as solve_corner,
+};
 use super::run::Run;
 use super::transition::{CornerFrame, Solution, Terminal, elongated, inserted, polyline};
 use super::{CornerStyle, LeadStyle, Options};
-use crate::contour::{Corner, CornerKind, LeadWish, Role, Tool, TransitionKind};
-use crate::geometry::direction;
+use crate::contour::{
+    Attributes, Corner, CornerKind, LeadWish, Role, Segment, Tool, TransitionKind, Wish,
+};
+use crate::geometry::{Curve, Line, direction, in_range};
+
+/// How far a wall reaches [mm]: beyond all that a tool could meet.
+const WALL: f64 = 1e6;
 
 /// How a lead and the contour are joined.
 #[derive(Debug, Clone, PartialEq)]
@@ -53,14 +60,21 @@ pub(super) fn lead_in(
     by_extra_move(lead, point, moves, Role::LeadIn)
 }
 
-/// The lead-out from the end of `incoming` to `to`, as its program wishes.
+/// The lead-out from the end of `incoming` to `to`, as its program wishes, maybe from where the path
+/// meets that along a wall.
 pub(super) fn lead_out(
     incoming: &Run,
     to: DVec2,
+    wall: Option<DVec2>,
     wish: LeadWish,
     tool: Tool,
     options: &Options,
 ) -> LeadSolution {
+    if let Some(wall) = wall
+        && let Some(lead) = from_wall(incoming, wall, tool, options)
+    {
+        return lead;
+    }
     let options = &Options { lead: options.lead_of(wish), ..*options };
     let point = incoming.segment.curve.end();
     let corner = direction(to - point).map(|along| Corner {
@@ -76,6 +90,28 @@ pub(super) fn lead_out(
     }
     let moves = [lead.end, point];
     by_extra_move(lead, point, moves, Role::LeadOut)
+}
+
+/// A lead-out from where the path meets that along a wall; `None` where they do not meet.
+fn from_wall(incoming: &Run, wall: DVec2, tool: Tool, options: &Options) -> Option<LeadSolution> {
+    let from = incoming.segment.curve.end();
+    let line = Line::new(from, from + wall.try_normalize()? * WALL).ok()?;
+    let attributes = Attributes { wish: Wish::default(), ..incoming.segment.attributes };
+    let segment = Segment { curve: Curve::Line(line), attributes };
+    let options = &Options { corner: CornerStyle::Intersection, ..*options };
+    let beyond = Run::new(&segment, tool, options);
+    let solved = solve_corner(incoming, &beyond, tool, options, false);
+    let Solved::Transition { kind, angle, mut solution, missed: false } = solved else {
+        return None;
+    };
+    let frame = CornerFrame::new(&corner_between(incoming, &beyond), tool);
+    if kind != TransitionKind::Shortened && incoming.is_straight() && in_range(frame.v()) {
+        // However sharp the corner.
+        solution = elongated(&frame, true, true);
+    }
+    let end = solution.construction.iter().find(|(name, _)| *name == "V")?.1;
+    solution.outgoing = Terminal::Whole;
+    Some(LeadSolution { end, corner: Some((kind, angle)), solution, role: Role::Transition })
 }
 
 /// A lead that ends on the contour, with a move at right angles between there and beside it.

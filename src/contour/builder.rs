@@ -123,6 +123,7 @@ pub struct ContourBuilder {
     described: Vec<(Shape, Attributes)>,
     lead_in: Option<Lead>,
     lead_out: Option<Lead>,
+    wall: Option<DVec2>,
     events: Vec<Event>,
     keeps_centers: bool,
 }
@@ -136,6 +137,7 @@ impl ContourBuilder {
             described: Vec::new(),
             lead_in: None,
             lead_out: None,
+            wall: None,
             events: Vec::new(),
             keeps_centers: false,
         }
@@ -155,6 +157,12 @@ impl ContourBuilder {
     /// Adds something that happens between the segments added so far and the next one.
     pub fn event(&mut self, kind: EventKind, origin: Origin) {
         self.events.push(Event { before: self.described.len(), origin, kind });
+    }
+
+    /// Lets the lead-out begin where the path meets that along a wall of this direction, which begins at
+    /// the end.
+    pub fn wall(&mut self, direction: DVec2) {
+        self.wall = Some(direction);
     }
 
     /// Asks for a lead-in from `lead` to the start.
@@ -257,8 +265,8 @@ impl ContourBuilder {
             );
             closed = false;
         }
-        let contour =
-            Contour { segments, closed, lead_in: self.lead_in, lead_out: self.lead_out, events };
+        let Self { lead_in, lead_out, wall, .. } = self;
+        let contour = Contour { segments, closed, lead_in, lead_out, wall, events };
         Built { contour: Some(contour), diagnostics }
     }
 

@@ -93,6 +93,7 @@ pub struct Contour {
     pub(super) closed: bool,
     pub(super) lead_in: Option<Lead>,
     pub(super) lead_out: Option<Lead>,
+    pub(super) wall: Option<DVec2>,
     pub(super) events: Vec<Event>,
 }
 
@@ -103,7 +104,7 @@ impl Contour {
         closed: bool,
         [lead_in, lead_out]: [Option<Lead>; 2],
     ) -> Self {
-        Self { segments, closed, lead_in, lead_out, events: Vec::new() }
+        Self { segments, closed, lead_in, lead_out, wall: None, events: Vec::new() }
     }
 
     /// Its segments, in order.
@@ -130,6 +131,13 @@ impl Contour {
         self.lead_out.as_ref()
     }
 
+    /// The direction of a wall behind its end: the lead-out begins where the path meets that along it
+    /// (FANUC's G40 with I and J).
+    #[must_use]
+    pub fn wall(&self) -> Option<DVec2> {
+        self.wall
+    }
+
     /// What happens between its segments, in order.
     #[must_use]
     pub fn events(&self) -> &[Event] {
@@ -152,6 +160,7 @@ impl Contour {
             closed: self.closed || meets,
             lead_in: None,
             lead_out: None,
+            wall: None,
             events: Vec::new(),
         }
     }

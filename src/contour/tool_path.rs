@@ -229,6 +229,9 @@ pub struct Reset {
     /// says them, and until now they were only assumed. An axis that no block states is not
     /// written.
     pub states: [bool; 3],
+    /// How many moves, from the next one on, are those that the words themselves make: they are not
+    /// written beside them.
+    pub moves: usize,
 }
 
 /// Words to be passed through in their place.

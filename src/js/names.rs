@@ -85,7 +85,8 @@ names! {
         Marlin = "marlin",
         Fanuc0M = "fanuc-0m",
         Fanuc6M = "fanuc-6m",
-        Fanuc30I = "fanuc-30i"
+        Fanuc30I = "fanuc-30i",
+        Heidenhain = "heidenhain"
     }
 
     /// `splines` of `types.d.ts`.

@@ -15,6 +15,7 @@ export const leads = /** @type {const} */ ([
 ]);
 export const targets = /** @type {const} */ ([
   ...["grbl", "grblhal", "linuxcnc", "smoothieware", "marlin", "fanuc-0m", "fanuc-6m", "fanuc-30i"],
+  "heidenhain",
 ]);
 const written = /** @type {const} */ (["arcs", "native"]);
 export const gouges = /** @type {const} */ (["report", "avoid", "stop"]);

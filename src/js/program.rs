@@ -39,7 +39,7 @@ impl ProgramHandle {
 
     fn contours(&self) -> impl Iterator<Item = &ProgrammedContour> {
         self.interpretation.items.iter().filter_map(|item| match item {
-            Item::Contour(contour) => Some(contour),
+            Item::Contour(contour) => Some(&**contour),
             Item::Free(_) | Item::Words { .. } => None,
         })
     }

@@ -253,8 +253,17 @@ impl Interpreter {
 
     /// The seconds of a P word.
     pub(super) fn seconds(&mut self, block: &Block, time: &Word) -> f64 {
-        if self.dialect == Dialect::Fanuc {
+        if self.dialect == Dialect::Fanuc && !time.point {
             return time.value / 1000.0;
+        }
+        if self.dialect == Dialect::Fanuc {
+            let message = format!("P{} with a point is read as seconds", Decimal::of(time.value));
+            self.report.warning(
+                "dwell-point",
+                message,
+                block.origin_at(time.column),
+                "FANUC takes P in milliseconds, without a point; for seconds write X",
+            );
         }
         // No one waits that long on purpose; FANUC counts P in milliseconds.
         if time.value >= 100.0 && self.dialect == Dialect::Auto {

@@ -59,15 +59,19 @@ impl Interpreter {
         }
         let unknown = (0..3).any(|i| axes.words[i].is_some() && !self.modal.stated[i]);
         if self.modal.relative && unknown {
-            self.report.warning(
-                "unknown-start",
-                "incremental coordinates (G91) before the program says where the tool is",
-                block.origin_at(first.column),
-                "the start counts as zero; state it with G90 first",
-            );
+            self.unknown_start(block, first.column);
             self.modal.stated = [true; 3];
         }
         Some((axes, to))
+    }
+
+    pub(super) fn unknown_start(&mut self, block: &Block, column: u32) {
+        self.report.warning(
+            "unknown-start",
+            "incremental coordinates (G91) before the program says where the tool is",
+            block.origin_at(column),
+            "the start counts as zero; state it with G90 first",
+        );
     }
 
     /// Moves `to` as the axis words say, in the plane by radius and angle under G16.
@@ -184,7 +188,7 @@ impl Interpreter {
             return;
         }
         if moves {
-            let reset = Reset { at: self.modal.position, states };
+            let reset = Reset { at: self.modal.position, states, moves: 0 };
             self.course.reset(String::new(), attributes.origin, reset);
             return;
         }

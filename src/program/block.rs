@@ -11,6 +11,8 @@ pub struct Word {
     pub value: f64,
     /// Column of the letter, counted from 1 in characters.
     pub column: u32,
+    /// Whether its number was written with a decimal point.
+    pub point: bool,
 }
 
 /// One block: the words and comments of one line.

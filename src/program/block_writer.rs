@@ -10,7 +10,7 @@ use crate::contour::{Plane, Reset};
 const NUMBERS: [u32; 2] = [10, 9990];
 
 /// The letters of the axes, and those of the way from an arc's start to its centre along them.
-const AXES: [[char; 2]; 3] = [['X', 'I'], ['Y', 'J'], ['Z', 'K']];
+pub(super) const AXES: [[char; 2]; 3] = [['X', 'I'], ['Y', 'J'], ['Z', 'K']];
 
 /// What stands for the motion words of involutes, clockwise and not, and their numbers.
 const INVOLUTES: [(char, &str); 2] = [('c', "2.2"), ('a', "3.2")];
@@ -29,26 +29,30 @@ pub(super) enum Written {
 #[derive(Debug)]
 pub(super) struct BlockWriter {
     pub(super) facts: &'static Facts,
-    text: String,
+    pub(super) text: String,
     /// Units of the last decimal in a millimetre.
     pub(super) scale: f64,
     /// Where the control is, in units of the last decimal.
     pub(super) at: [i64; 3],
     /// Which coordinates a block in their plane need not say where they stay as they are.
-    known: [bool; 3],
+    pub(super) known: [bool; 3],
     /// Which coordinates were written since they could be anything.
-    written: [bool; 3],
+    pub(super) written: [bool; 3],
     /// Which coordinates the next block that moves says in any case.
-    states: [bool; 3],
+    pub(super) states: [bool; 3],
     /// The motion word in effect.
     motion: Option<char>,
-    plane: Plane,
+    pub(super) plane: Plane,
     /// The F word in effect, and the one asked for: mm/min in units of the last decimal.
     feed: [Option<i64>; 2],
-    /// The number of the last block.
+    /// The number of the program.
+    pub(super) program: u32,
+    /// The number of the last block; in Heidenhain's language of the next one.
     number: u32,
     /// Words that are to stand in the next block that moves.
-    prefix: String,
+    pub(super) prefix: String,
+    /// Axes besides x, y and z that it moves.
+    pub(super) suffix: String,
 }
 
 impl BlockWriter {
@@ -66,9 +70,15 @@ impl BlockWriter {
             motion: None,
             plane: Plane::Xy,
             feed: [None; 2],
+            program: number,
             number: 0,
             prefix: String::new(),
+            suffix: String::new(),
         };
+        if facts.klartext {
+            writer.prefix.push_str("R0");
+            writer.program_line("BEGIN");
+        }
         if facts.tape {
             let digits = number.to_string();
             writer.text.push_str("%\nO");
@@ -83,8 +93,12 @@ impl BlockWriter {
     }
 
     pub(super) fn finish(mut self) -> String {
-        let prefix = std::mem::take(&mut self.prefix);
-        self.words(&prefix);
+        if self.facts.klartext {
+            self.program_line("END");
+        } else {
+            let prefix = std::mem::take(&mut self.prefix);
+            self.words(&prefix);
+        }
         if self.facts.tape {
             self.text.push_str("%\n");
         }
@@ -128,8 +142,11 @@ impl BlockWriter {
     }
 
     /// Makes the next block that moves say how.
-    pub(super) fn forget_motion(&mut self) {
+    pub(super) fn forget_motion(&mut self, feed: bool) {
         self.motion = None;
+        if feed {
+            self.feed[0] = None;
+        }
     }
 
     /// Asks for a feed [mm/s] from the next feed move on.
@@ -157,6 +174,15 @@ impl BlockWriter {
         self.prefix.push_str(words);
     }
 
+    /// Another axis moves with the next block.
+    pub(super) fn also(&mut self, letter: char, value: f64) {
+        if !self.suffix.is_empty() {
+            self.suffix.push(' ');
+        }
+        let value = self.units(value);
+        push_length(&mut self.suffix, letter, value, self.facts);
+    }
+
     /// A block of words as they are.
     pub(super) fn words(&mut self, words: &str) {
         if words.is_empty() {
@@ -175,6 +201,9 @@ impl BlockWriter {
 
     /// Comments in a line of their own, which needs no number.
     pub(super) fn line_of_comments(&mut self, comments: &str) {
+        if self.facts.klartext {
+            return self.words(comments);
+        }
         self.text.push_str(comments);
         self.text.push('\n');
     }
@@ -192,7 +221,7 @@ impl BlockWriter {
         if let Some(feed) = feed {
             self.feed[1] = Some(self.feed_units(feed));
         }
-        if says != [false; 3] {
+        if says != [false; 3] || !self.suffix.is_empty() {
             self.block(motion, self.at, says, &[]);
         }
     }
@@ -244,27 +273,31 @@ impl BlockWriter {
         let full = !says[first] && !says[second];
         says[first] |= full || !self.known[first];
         says[second] |= full || !self.known[second];
-        let word = ["G17", "G18", "G19"][plane as usize];
-        if self.plane != plane {
-            self.plane = plane;
-            self.prefix(word);
-        }
+        self.choose(plane);
         let offsets = [(AXES[first][1], center[0]), (AXES[second][1], center[1]), ('R', radius)];
         self.block(motion, to, says, &offsets);
+    }
+
+    /// The plane of the next block, which other languages tell by its axes.
+    fn choose(&mut self, plane: Plane) {
+        if self.plane != plane && !self.facts.klartext {
+            self.prefix(["G17", "G18", "G19"][plane as usize]);
+        }
+        self.plane = plane;
     }
 
     /// A cubic in the plane of x and y whose inner control points are so far from its ends.
     pub(super) fn cubic(&mut self, to: [i64; 3], controls: [[i64; 2]; 2]) {
         let says = [true, true, self.at[2] != to[2]];
-        if self.plane != Plane::Xy {
-            self.plane = Plane::Xy;
-            self.prefix("G17");
-        }
+        self.choose(Plane::Xy);
         let [[i, j], [p, q]] = controls;
         self.block('5', to, says, &[('I', i), ('J', j), ('P', p), ('Q', q)]);
     }
 
     fn block(&mut self, motion: char, to: [i64; 3], says: [bool; 3], offsets: &[(char, i64)]) {
+        if self.facts.klartext {
+            return self.klartext(motion, to, says, offsets);
+        }
         self.begin();
         if !self.prefix.is_empty() {
             self.space();
@@ -288,15 +321,33 @@ impl BlockWriter {
                 self.written[i] = true;
             }
         }
+        self.others();
         for &(letter, value) in offsets {
             // A cubic says all four: left out they would be those of the cubic before.
             if value != 0 || motion == '5' {
                 self.length(letter, value);
             }
         }
+        if motion != '0' {
+            self.feed();
+        }
+        self.text.push('\n');
+        self.at = to;
+    }
+
+    /// The other axes that move with the block.
+    pub(super) fn others(&mut self) {
+        if !self.suffix.is_empty() {
+            self.space();
+            self.text.push_str(&self.suffix);
+            self.suffix.clear();
+        }
+    }
+
+    /// The F word, where it is not in effect yet.
+    pub(super) fn feed(&mut self) {
         let [in_effect, wanted] = self.feed;
-        if motion != '0'
-            && wanted != in_effect
+        if wanted != in_effect
             && let Some(feed) = wanted
         {
             self.space();
@@ -304,28 +355,29 @@ impl BlockWriter {
             push_scaled(&mut self.text, feed, self.facts.feed_decimals);
             self.feed[0] = wanted;
         }
-        self.text.push('\n');
-        self.at = to;
     }
 
     /// The number of a block, where blocks have one.
-    fn begin(&mut self) {
+    pub(super) fn begin(&mut self) {
         if self.facts.tape {
             let [step, most] = NUMBERS;
             self.number = if self.number >= most { step } else { self.number + step };
             self.text.push('N');
             push_scaled(&mut self.text, i64::from(self.number), 0);
+        } else if self.facts.klartext {
+            push_scaled(&mut self.text, i64::from(self.number), 0);
+            self.number += 1;
         }
     }
 
     /// A space before every word but the first.
-    fn space(&mut self) {
+    pub(super) fn space(&mut self) {
         if !self.text.is_empty() && !self.text.ends_with('\n') {
             self.text.push(' ');
         }
     }
 
-    fn length(&mut self, letter: char, scaled: i64) {
+    pub(super) fn length(&mut self, letter: char, scaled: i64) {
         self.space();
         push_length(&mut self.text, letter, scaled, self.facts);
     }
@@ -334,6 +386,9 @@ impl BlockWriter {
 /// Writes a word of a length in units of the last decimal.
 pub(super) fn push_length(text: &mut String, letter: char, scaled: i64, facts: &Facts) {
     text.push(letter);
+    if facts.klartext && scaled >= 0 {
+        text.push('+');
+    }
     let before = text.len();
     push_scaled(text, scaled, facts.decimals);
     if facts.point && !text.as_bytes()[before..].contains(&b'.') {

@@ -11,9 +11,10 @@ use super::auxiliary::{append_word, take_as_text, word as text_of};
 use super::block::{Block, Word};
 use super::dialect::Dialect;
 use super::frame::{Frame, Polar, radians};
-use super::g_words::{Act, GWord, Motion, g_word};
-use super::interpret::{Interpreter, MINUTE};
+use super::g_words::{Act, GWord, g_word};
+use super::interpret::Interpreter;
 use super::number::whole;
+use super::other_moves::pick;
 use super::words::{Words, tenths};
 use crate::contour::Reset;
 use crate::diagnostic::Diagnostic;
@@ -37,16 +38,33 @@ pub(super) struct Systems {
     origins: [[Option<f64>; 3]; 9],
     /// What G92 has taken off the coordinates [mm], where it is known, and what G92.2 keeps of it.
     shift: [[Option<f64>; 3]; 2],
+    /// Which coordinates have origins that the program has set without saying where.
+    lost: [bool; 3],
+    /// Whether it was said where the machine's zero is taken to be.
+    pub(super) said: bool,
 }
 
 impl Systems {
     pub(super) fn new() -> Self {
-        Self { active: None, origins: [[None; 3]; 9], shift: [[Some(0.0); 3]; 2] }
+        Self {
+            active: None,
+            origins: [[None; 3]; 9],
+            shift: [[Some(0.0); 3]; 2],
+            lost: [false; 3],
+            said: false,
+        }
     }
 
     /// The active system, 0 being G54, if a word has said which.
     pub(super) fn active(&self) -> Option<usize> {
         self.active
+    }
+
+    /// The number of the machine's zero in the active system [mm], where the origins that no block
+    /// sets lie there.
+    pub(super) fn machine_zero(&self, axis: usize) -> Option<f64> {
+        let origin = self.origin(self.active.unwrap_or(0), axis).unwrap_or(0.0);
+        self.shift[0][axis].filter(|_| !self.lost[axis]).map(|shift| -shift - origin)
     }
 
     /// A coordinate of the origin of a system [mm], if the program has set it.
@@ -117,7 +135,7 @@ impl Interpreter {
             return;
         }
         let states = std::mem::take(&mut self.owed);
-        let reset = Reset { at: self.modal.position, states };
+        let reset = Reset { at: self.modal.position, states, moves: 0 };
         self.course.reset(text, block.origin(), reset);
     }
 
@@ -175,7 +193,8 @@ impl Interpreter {
                 given[i] = true;
             }
         }
-        if given == [false; 3] {
+        let others = self.other_origins(words, &mut text);
+        if given == [false; 3] && !others {
             return;
         }
         self.leave_contour(block, word.column, "the coordinate system", None);
@@ -259,6 +278,7 @@ impl Interpreter {
         if concerns_all {
             modal.stated = [false; 3];
             modal.systems.origins = [[None; 3]; 9];
+            modal.systems.lost = [true; 3];
             return;
         }
         let is_active = system == modal.systems.active;
@@ -266,9 +286,10 @@ impl Interpreter {
             let Some(given) = given else { continue };
             let origin = system.and_then(|s| modal.systems.origins.get_mut(s)).map(|o| &mut o[i]);
             let before = origin.as_ref().and_then(|origin| **origin);
+            modal.systems.lost[i] |= by_place;
             let value = if by_place {
                 None
-            } else if modal.relative {
+            } else if modal.relative && !self.rules.is_strict {
                 before.map(|before| before + given)
             } else {
                 Some(given)
@@ -294,13 +315,18 @@ impl Interpreter {
         self.leave_contour(block, word.column, "the reference point", None);
         let mut text = text_of('G', word.value);
         let mut named = [false; 3];
+        let from = self.modal.position;
+        let mut via = self.modal.frame.unmap(from);
         for (i, letter) in AXES.into_iter().enumerate() {
             if let Some(axis) = words.take(letter) {
                 named[i] = true;
-                append_word(&mut text, letter, self.modal.length_of(i, axis.value));
+                let length = self.modal.length_of(i, axis.value);
+                via[i] = if self.modal.relative { via[i] + length } else { length };
+                append_word(&mut text, letter, length);
             }
         }
         let rotary = words.has_any("ABCUVW");
+        self.forget_others(words);
         take_as_text(words, "ABCUVWP", &mut text);
         let relative = self.modal.relative && (rotary || named != [false; 3]);
         if relative {
@@ -310,46 +336,14 @@ impl Interpreter {
             named = [true; 3];
         }
         self.forget(named);
-        self.pass_reset(block, text);
+        let via = self.modal.frame.map(via);
+        let zero = self.machine_zero(block, named);
+        let home = zero.map(|zero| pick(named, zero, via));
+        let ways = home.map(|home| [via, home]);
+        let ways = ways.as_ref().map_or(&[][..], |ways| ways);
+        self.by_words(block, text, from, ways, true, None);
         if relative {
             self.course.words("G90".into(), block.origin());
-        }
-    }
-
-    /// G53: a straight move in the coordinates of the machine.
-    fn machine(&mut self, block: &Block, word: &Word, words: &mut Words) {
-        let motion = match self.modal.motion {
-            Some(Motion::Rapid) => "G0",
-            Some(Motion::Linear) => "G1",
-            _ => {
-                self.error(
-                    "no-motion-mode",
-                    "machine coordinates (G53) need G00 or G01",
-                    block.origin_at(word.column),
-                    "put one of them into the block",
-                );
-                words.take_all("XYZABCUVWIJKR");
-                return;
-            }
-        };
-        self.leave_contour(block, word.column, "the coordinate system", None);
-        let mut text = format!("G53 {motion}");
-        let mut named = [false; 3];
-        for (i, letter) in AXES.into_iter().enumerate() {
-            if let Some(axis) = words.take(letter) {
-                named[i] = true;
-                append_word(&mut text, letter, self.modal.length_of(i, axis.value));
-            }
-        }
-        take_as_text(words, "ABCUVW", &mut text);
-        if motion == "G1"
-            && let (Some(feed), _) = self.feed_of_moves(block)
-        {
-            append_word(&mut text, 'F', feed * MINUTE);
-        }
-        if named != [false; 3] {
-            self.forget(named);
-            self.pass_reset(block, text);
         }
     }
 

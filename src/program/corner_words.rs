@@ -52,6 +52,16 @@ impl Interpreter {
             (1390, ControlWords::Isg) => wishes.modal.lead = LeadWish::Round,
             (4500, ControlWords::Sinumerik) => wishes.modal.corner = CornerWish::Conic(wishes.disc),
             (4510, ControlWords::Sinumerik) => wishes.modal.corner = CornerWish::Intersection,
+            (700 | 7000, ControlWords::Sinumerik) => self.modal.inches = true,
+            (710 | 7100, ControlWords::Sinumerik) => self.modal.inches = false,
+            (4600, ControlWords::Sinumerik) => {}
+            (4610 | 4620, ControlWords::Sinumerik) => {
+                self.not_supported(
+                    block,
+                    word.column,
+                    "a lead that seeks the contour (G461, G462)",
+                );
+            }
             (390, ControlWords::Common | ControlWords::Fanuc) if !self.rules.is_strict => {
                 self.corner_arc(block, word, words);
                 demands.no_move = true;
@@ -64,6 +74,10 @@ impl Interpreter {
     /// NORM, KONT and DISC, which SINUMERIK's programs alone have.
     pub(super) fn corner_names(&mut self, block: &Block, words: &mut Words) {
         if let Some(word) = words.take('k') {
+            if word.value > 1.0 {
+                let what = "a lead along a polynomial (KONTT, KONTC)";
+                self.not_supported(block, word.column, what);
+            }
             self.modal.wishes.modal.lead =
                 if word.value == 0.0 { LeadWish::Perpendicular } else { LeadWish::Round };
         }
@@ -105,6 +119,21 @@ impl Interpreter {
         }
         let to = self.modal.frame.map(to);
         self.modal.wishes.corner_arc = Some(self.in_plane(to));
+    }
+
+    /// The vector of G40: I and J, or those of another plane.
+    pub(super) fn wall(&mut self, words: &mut Words) {
+        let fanuc = matches!(self.rules.words, ControlWords::Common | ControlWords::Fanuc);
+        let straight = matches!(self.modal.motion, Some(Motion::Rapid | Motion::Linear));
+        if !fanuc || !straight || self.rules.is_strict || self.course.side().is_none() {
+            return;
+        }
+        let vector = ['I', 'J', 'K'].map(|letter| words.take(letter).map_or(0.0, |w| w.value));
+        let from = self.modal.frame.unmap(self.modal.position);
+        let way = self.in_plane(self.modal.frame.map(from + DVec3::from(vector)));
+        if way.length() > MIN_LENGTH {
+            self.course.wall(way);
+        }
     }
 
     /// The way in the plane from where the program is [mm].

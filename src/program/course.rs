@@ -19,6 +19,8 @@ use crate::diagnostic::{Diagnostic, Origin};
 pub(super) struct SwitchOn {
     pub(super) side: Side,
     pub(super) radius: RadiusSource,
+    /// Added to it [mm].
+    pub(super) allowance: f64,
     pub(super) orientation: u8,
     pub(super) unit: f64,
     pub(super) origin: Origin,
@@ -38,6 +40,8 @@ pub(super) struct Course {
     pub(super) is_cut_off: bool,
     /// The direction in the plane in which the last move ends, where it is known.
     pub(super) heading: Option<DVec2>,
+    /// Line and first column of the blocks that a contour, or a move, is made of.
+    pub(super) columns: Vec<(u32, u32)>,
 }
 
 #[derive(Debug)]
@@ -62,6 +66,7 @@ impl Course {
             needs_a_line: false,
             is_cut_off: false,
             heading: None,
+            columns: Vec::new(),
         }
     }
 
@@ -231,7 +236,7 @@ impl Course {
         }
         let origin = attributes.origin;
         if let Some(fault) = fault_of(from, &shape, attributes, self.rules) {
-            report.push(fault);
+            self.found(fault, report);
             self.is_cut_off = true;
             return self.cut_off(report);
         }
@@ -298,7 +303,10 @@ impl Course {
             State::On(mut open) => {
                 open.next = None;
                 let before = open.switched;
-                if before.side == switched.side && before.radius == switched.radius {
+                if before.side == switched.side
+                    && before.radius == switched.radius
+                    && before.allowance == switched.allowance
+                {
                     self.state = State::On(open);
                     return;
                 }
@@ -357,6 +365,13 @@ impl Course {
         };
     }
 
+    /// The direction of a wall behind the contour that is ended.
+    pub(super) fn wall(&mut self, direction: DVec2) {
+        if let State::On(open) = &mut self.state {
+            open.builder.wall(direction);
+        }
+    }
+
     /// The end of the program, at `origin`: an open contour ends here.
     pub(super) fn end(&mut self, origin: Option<Origin>, report: &mut Report) {
         match std::mem::replace(&mut self.state, State::Off) {
@@ -397,19 +412,22 @@ impl Course {
         if !empty {
             self.segments += open.builder.len() + open.events.len();
             let built = open.builder.build(false);
-            report.extend(built.diagnostics);
+            for found in built.diagnostics {
+                self.found(found, report);
+            }
             if let Some(contour) = built.contour {
-                self.items.push(Item::Contour(ProgrammedContour {
+                self.items.push(Item::Contour(Box::new(ProgrammedContour {
                     contour,
                     side: open.switched.side,
                     radius: open.switched.radius,
+                    allowance: open.switched.allowance,
                     unit: open.switched.unit,
                     orientation: open.switched.orientation,
                     leads_in: open.leads_in,
                     begins: open.begins,
                     end,
                     blocks: [line_of(open.switched.origin), last_line],
-                }));
+                })));
                 return;
             }
         }

@@ -5,7 +5,7 @@
 
 use glam::DVec3;
 
-use crate::contour::Move;
+use crate::contour::{Move, ToolPath};
 
 /// Heights nearer than this are one [mm]: the last digit written.
 const SAME_HEIGHT: f64 = 1e-4;
@@ -22,11 +22,25 @@ pub(super) struct Crossing {
 }
 
 impl Crossing {
-    pub(super) fn new(given: Option<f64>, moves: &[Move]) -> Self {
+    pub(super) fn new(given: Option<f64>, path: &ToolPath) -> Self {
         // Until the height first changes it is only assumed.
         let mut stated = false;
         let mut programmed: Option<f64> = None;
-        for step in moves {
+        // What words make themselves may be at heights of the machine.
+        let mut made = path.words.iter().filter_map(|words| {
+            let moves = words.reset?.moves;
+            (moves > 0).then_some((words.before, words.before + moves))
+        });
+        let mut next = made.next();
+        for (i, step) in path.moves.iter().enumerate() {
+            if let Some((first, end)) = next
+                && i >= first
+            {
+                if i + 1 == end {
+                    next = made.next();
+                }
+                continue;
+            }
             let [from, to] = ends(step);
             stated |= from.z != to.z;
             if stated && step.rapid {

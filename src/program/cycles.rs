@@ -60,14 +60,11 @@ impl CycleNumbers {
 
 impl Interpreter {
     /// A block of the cycle with this number.
-    pub(super) fn cycle(&mut self, block: &Block, number: u32, stated: bool, words: &mut Words) {
+    pub(super) fn cycle(&mut self, block: &Block, number: u32, words: &mut Words) {
         // LinuxCNC's G76 cuts a thread; FANUC's bores.
-        if number == 76 && (self.dialect == Dialect::LinuxCnc || words.has_any("IJKE")) {
-            if stated {
-                self.not_supported(block, block.words.first().map_or(1, |w| w.column), "threading");
-            }
-            words.take_all(GEOMETRY);
-            return;
+        let fanuc = self.dialect == Dialect::Fanuc;
+        if number == 76 && (self.dialect == Dialect::LinuxCnc || !fanuc && words.has_any("IJKE")) {
+            return self.thread_cycle(block, words);
         }
         let normal = self.modal.plane.axes()[2];
         let hits = words.has_any("XYZR@^");

@@ -109,7 +109,7 @@ pub fn emit(path: &ToolPath, options: &EmitOptions) -> Emitted {
             .max(0.5 * options.tolerance)
             .max(0.1 * unit),
         options: *options,
-        crossing: Crossing::new(options.clearance, &path.moves),
+        crossing: Crossing::new(options.clearance, path),
         at: DVec3::ZERO,
         passing: Passing::default(),
         diagnostics: Vec::new(),
@@ -122,7 +122,10 @@ pub fn emit(path: &ToolPath, options: &EmitOptions) -> Emitted {
     let mut i = 0;
     while i <= path.moves.len() {
         while let Some(passed) = words.next_if(|words| words.before <= i || i == path.moves.len()) {
-            emitter.pass(passed);
+            i += emitter.pass(passed);
+            if emitter.passing.is_cut_off {
+                i = path.moves.len();
+            }
         }
         let Some(first) = path.moves.get(i) else { break };
         let until = words.peek().map_or(path.moves.len(), |words| words.before);
@@ -195,17 +198,18 @@ pub(super) struct Emitter {
 }
 
 impl Emitter {
-    fn pass(&mut self, words: &AuxiliaryWords) {
+    /// Passes words on; tells how many of the next moves they make themselves.
+    fn pass(&mut self, words: &AuxiliaryWords) -> usize {
         let mut text = words.words.as_str();
-        if self.out.facts.tape && program_number(text).is_some() {
+        if (self.out.facts.tape || self.out.facts.klartext) && program_number(text).is_some() {
             // It stands at the head of the program.
             text = text.split_once(')').map_or("", |(_, rest)| rest);
         }
         let written = self.passing.pass(&mut self.out, text, words.origin);
-        if let Some(reset) = words.reset {
-            self.at = reset.at;
-            self.out.reset(reset, written);
-        }
+        let Some(reset) = words.reset else { return 0 };
+        self.at = reset.at;
+        self.out.reset(reset, written);
+        reset.moves
     }
 
     /// The coordinate system of a program that names none.

@@ -1,6 +1,8 @@
 //! F and S words: the feed of a move by the way it is programmed.
 
 use super::block::Block;
+use super::dialect::Dialect;
+use super::g_words::Motion;
 use super::interpret::{Interpreter, MINUTE};
 use super::words::Words;
 use crate::geometry::Decimal;
@@ -77,6 +79,11 @@ impl Feed {
         self.surface_speed
     }
 
+    /// Speed of the spindle [rev/s], where it is known.
+    pub(super) fn speed(&self) -> Option<f64> {
+        self.speed
+    }
+
     /// An S word as programmed.
     pub(super) fn set_speed(&mut self, value: f64) {
         self.speed = (!self.surface_speed).then_some(value.abs() / MINUTE);
@@ -89,6 +96,11 @@ impl Interpreter {
         let unit = self.modal.unit();
         let feed = &mut self.modal.feed;
         feed.time = None;
+        // FANUC's lead of a thread.
+        let thread = matches!(self.modal.motion, Some(Motion::Passed(330 | 331)));
+        if thread && self.dialect == Dialect::Fanuc {
+            return;
+        }
         let Some(word) = words.take('F') else { return };
         if word.value > 0.0 {
             match feed.mode {

@@ -248,7 +248,7 @@ impl Runner {
         let arguments = arguments.filter(|_| times > 1).map(|(locals, _)| Box::new(*locals));
         let further = times.saturating_sub(1);
         let back = self.place;
-        self.frames.push(Frame { back, start, further, saved, arguments, is_sub });
+        self.frames.push(Frame { back, start, further, saved, arguments, is_sub, is_modal: false });
         self.place = start;
         true
     }

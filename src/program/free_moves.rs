@@ -2,14 +2,35 @@
 
 use glam::DVec2;
 
+use super::block::Block;
 use super::course::Course;
 use super::items::Item;
 use super::open::builder_at;
 use super::report::Report;
 use crate::contour::{Attributes, Move, MoveCurve, Role, Shape};
+use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Curve, Line};
 
 impl Course {
+    /// Keeps where a block begins that a contour is made of, or a free curve.
+    pub(super) fn column(&mut self, block: &Block, is_first: bool) {
+        if is_first && self.is_free() {
+            self.columns.clear();
+        }
+        self.columns.push((block.line, block.words.first().map_or(1, |word| word.column)));
+    }
+
+    /// Reports what was found when a contour was built of its blocks, with the column of its block.
+    pub(super) fn found(&self, mut found: Diagnostic, report: &mut Report) {
+        if let Some(Origin::Block { line, column: column @ None, .. }) = &mut found.origin {
+            // In order, but for loops.
+            let first = self.columns.partition_point(|(other, _)| other < line);
+            let known = self.columns.get(first).filter(|(other, _)| other == line);
+            *column = known.map(|(_, column)| *column);
+        }
+        report.push(found);
+    }
+
     pub(super) fn free_line(&mut self, from: DVec2, to: DVec2, attributes: &Attributes) {
         if let Ok(line) = Line::new(from, to) {
             self.free(MoveCurve::Line(line), attributes);
@@ -28,7 +49,11 @@ impl Course {
         builder.segment(shape, attributes);
         let built = builder.build(false);
         // Why there is no segment is said by the diagnostic before.
-        report.extend(built.diagnostics.into_iter().filter(|found| found.code != "empty-contour"));
+        for found in built.diagnostics {
+            if found.code != "empty-contour" {
+                self.found(found, report);
+            }
+        }
         let Some(contour) = built.contour else { return };
         let mut attributes = attributes;
         if let Some(time) = attributes.time.take() {

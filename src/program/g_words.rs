@@ -37,6 +37,9 @@ pub(super) enum Motion {
     Named(Family),
     /// G73, G74, G76 and G81 to G89, by its number.
     Cycle(u32),
+    /// Moves that the machine makes in its own way, by ten times their G word: threads (G33, G33.1)
+    /// and probing (G38.2 to G38.5, FANUC's G31).
+    Passed(u32),
     /// A mode whose blocks cannot be turned into moves; its name.
     NotSupported(&'static str),
 }
@@ -88,6 +91,10 @@ pub(super) enum Act {
 pub(super) enum GWord {
     /// How the axis words of this block and the next ones move the tool.
     Motion(Motion),
+    /// How those of this block alone do (G31, G60).
+    Once(Motion),
+    /// G12.1 and G13.1.
+    PolarInterpolation(bool),
     /// A word of the G05 and G06 families, told apart by the words beside it.
     SplineFamily,
     /// G80: the end of a cycle.
@@ -143,7 +150,8 @@ pub(super) fn g_word(tenths: u32) -> Option<GWord> {
         80 => Diameter(false),
         90 | 610 | 611 => PassedOn(""),
         100 => GWord::Act(Act::SetData),
-        121 => NotSupported("polar coordinate interpolation (G12.1)"),
+        121 => GWord::PolarInterpolation(true),
+        131 => GWord::PolarInterpolation(false),
         150 => GWord::Act(Act::Polar(false)),
         160 => GWord::Act(Act::Polar(true)),
         170 => GWord::Plane(Plane::Xy),
@@ -153,8 +161,8 @@ pub(super) fn g_word(tenths: u32) -> Option<GWord> {
         210 => Inches(false),
         280 | 300 => GWord::Act(Act::Home),
         281 | 301 => GWord::Act(Act::StoreHome),
-        310 | 382..=385 => NotSupported("probing"),
-        330 | 331 => GWord::Motion(Motion::NotSupported("threading")),
+        310 => GWord::Once(Motion::Passed(310)),
+        330 | 331 | 382..=385 => GWord::Motion(Motion::Passed(tenths)),
         390 => NotSupported("the corner arc (G39)"),
         400 => GWord::Compensation(Compensation::Off),
         410 => GWord::Compensation(Compensation::Tool(Side::Left)),
@@ -176,7 +184,7 @@ pub(super) fn g_word(tenths: u32) -> Option<GWord> {
         570 => GWord::Act(Act::System(Some(3))),
         580 => GWord::Act(Act::System(Some(4))),
         590..=593 => GWord::Act(Act::System(Some((tenths - 585) as usize))),
-        600 => NotSupported("one-sided positioning (G60)"),
+        600 => GWord::Once(Motion::Rapid),
         640 => PassedOn("PQ"),
         660 => NotSupported("a macro call"),
         680 => GWord::Act(Act::Rotate(true)),
@@ -199,8 +207,8 @@ pub(super) fn g_word(tenths: u32) -> Option<GWord> {
         970 => SurfaceSpeed(false),
         980 => RetractToR(false),
         990 => RetractToR(true),
-        // The ends of modes that are not supported anyway: polar interpolation and macros.
-        131 | 670 => Harmless,
+        // What calls a macro was taken out of the block before.
+        670 => Harmless,
         _ => return None,
     })
 }
@@ -209,7 +217,7 @@ impl GWord {
     /// Words of one group exclude each other; `None` for words that stand alone.
     pub(super) fn group(self) -> Option<u8> {
         match self {
-            Self::Motion(_) | Self::SplineFamily | Self::EndOfCycle => Some(1),
+            Self::Motion(_) | Self::Once(_) | Self::SplineFamily | Self::EndOfCycle => Some(1),
             Self::Plane(_) => Some(2),
             Self::Relative(_) => Some(3),
             Self::AbsoluteCenter(_) => Some(4),
@@ -223,6 +231,7 @@ impl GWord {
             Self::Diameter(_) => Some(15),
             Self::Dwell
             | Self::Harmless
+            | Self::PolarInterpolation(_)
             | Self::Act(_)
             | Self::PassedOn(_)
             | Self::NotSupported(_) => None,

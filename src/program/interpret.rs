@@ -96,6 +96,10 @@ impl Interpreter {
         if self.is_refused {
             return Flow::End;
         }
+        if self.modal.polar_interpolation {
+            // Its moves are missing, and so is what switches beside them.
+            (demands.no_move, demands.acts, demands.compensation) = (true, false, None);
+        }
         if self.ends_spline(&demands, &words) {
             self.look_ahead(&words);
             self.finish_spline();
@@ -124,10 +128,11 @@ impl Interpreter {
         if self.is_refused {
             return Flow::End;
         }
-        if let Some(motion) = self.modal.motion
+        if let Some(motion) = demands.once.or(self.modal.motion)
             && !demands.no_move
         {
-            self.motion(block, motion, demands.motion.is_some(), &mut words);
+            let stated = demands.motion.or(demands.once).is_some();
+            self.motion(block, motion, stated, &mut words);
         } else if let Some(axis) = words.unused().map(|(_, word)| word).find(|w| is_axis(w)) {
             self.error(
                 "no-motion-mode",
@@ -209,14 +214,13 @@ impl Interpreter {
 
     fn not_understood(&mut self, block: &Block, words: &Words) {
         for (_, word) in words.unused() {
-            let what = if matches!(word.letter, 'A' | 'B' | 'C' | 'U' | 'V' | 'W') {
-                "moves an axis that is not supported"
-            } else {
-                "is not understood here"
-            };
             self.error(
                 "word-not-understood",
-                format!("the word {}{} {what}", word.letter, Decimal::of(word.value)),
+                format!(
+                    "the word {}{} is not understood here",
+                    word.letter,
+                    Decimal::of(word.value)
+                ),
                 block.origin_at(word.column),
                 "it has no effect",
             );

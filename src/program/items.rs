@@ -21,7 +21,7 @@ pub enum Item {
         origin: Origin,
     },
     /// A contour to be compensated.
-    Contour(ProgrammedContour),
+    Contour(Box<ProgrammedContour>),
 }
 
 /// A contour between the words that switch compensation on and off.
@@ -33,6 +33,8 @@ pub struct ProgrammedContour {
     pub side: Side,
     /// Where the tool radius comes from.
     pub radius: RadiusSource,
+    /// What is to be left on the contour, added to the radius [mm].
+    pub allowance: f64,
     /// The unit of coordinates in effect at the word that switches on [mm]: diameters of a table of
     /// tools that names no unit count in it.
     pub unit: f64,

@@ -246,6 +246,7 @@ impl LineReader<'_> {
 
     fn word(&mut self, letter: u8) {
         let from = self.cursor.at();
+        let point;
         if self.dialect == Dialect::Sinumerik && self.name_word() {
             return;
         }
@@ -254,6 +255,7 @@ impl LineReader<'_> {
             Some(b'0'..=b'9' | b'.' | b'+' | b'-') => {
                 let at = self.cursor.at();
                 let number = self.cursor.number(true);
+                point = self.cursor.since(at).as_bytes().contains(&b'.');
                 let signs =
                     !self.cursor.since(at).contains(|c: char| c.is_ascii_digit() || c == '.');
                 match number {
@@ -278,7 +280,7 @@ impl LineReader<'_> {
             _ => return self.bad_number(NumberError::Missing, from),
         };
         let column = self.cursor.column(from);
-        self.accept(Word { letter: char::from(letter), value, column }, from);
+        self.accept(Word { letter: char::from(letter), value, column, point }, from);
     }
 
     /// Whether something comes next that is evaluated.
@@ -312,7 +314,7 @@ impl LineReader<'_> {
                 let near = matches!(letter, b'G' | b'M' | b'T' | b'D' | b'H' | b'P' | b'L')
                     && (value - round).abs() < 1e-4;
                 let value = if near { round } else { value };
-                self.accept(Word { letter: char::from(letter), value, column }, from);
+                self.accept(Word { letter: char::from(letter), value, column, point: false }, from);
             }
             Err(fault) => {
                 self.report_fault(&fault, from, "the word is left out");
@@ -399,7 +401,7 @@ impl LineReader<'_> {
         for (known, letter, value) in NAMES {
             if name.eq_ignore_ascii_case(known) {
                 let column = self.cursor.column(from);
-                self.accept(Word { letter, value, column }, from);
+                self.accept(Word { letter, value, column, point: false }, from);
                 return true;
             }
         }
@@ -427,7 +429,7 @@ impl LineReader<'_> {
             return;
         }
         match word.letter {
-            'G' => self.calls |= word.value == 65.0,
+            'G' => self.calls |= matches!(whole(word.value), Some(65..=67)),
             'M' => self.calls |= word.value == 98.0 || word.value == 99.0,
             'I' | 'J' | 'K' if self.calls => {}
             _ => {

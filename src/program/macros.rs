@@ -37,11 +37,22 @@ const LETTERS: [(char, usize); 21] = [
 /// In the old form of up to four digits, what stands before them tells how often.
 const OLD_FORM: u32 = 10_000;
 
+/// A call of a program, with arguments where it is a macro.
+#[derive(Debug, Clone)]
+pub(super) struct ProgramCall {
+    number: Option<u32>,
+    times: Option<u32>,
+    arguments: Option<Box<Locals>>,
+    column: u32,
+}
+
 /// A word that calls or returns.
 #[derive(Debug)]
 pub(super) enum Call {
     /// M98 and, with arguments, G65.
-    Program { number: Option<u32>, times: Option<u32>, arguments: Option<Box<Locals>>, column: u32 },
+    Program(ProgramCall),
+    /// G66: the same after each block that moves, until G67.
+    Modal(ProgramCall),
     /// M99, to a block of the caller if it says so.
     Return { to: Option<Word> },
 }
@@ -51,7 +62,7 @@ impl Runner {
     pub(super) fn take_call(&mut self) -> Option<Call> {
         let words = &mut self.block.words;
         let is_call = |w: &Word| match w.letter {
-            'G' => w.value == 65.0,
+            'G' => matches!(whole(w.value), Some(65..=67)),
             'M' => w.value == 98.0 || w.value == 99.0,
             _ => false,
         };
@@ -62,6 +73,11 @@ impl Runner {
             let index = words.iter().position(|word| word.letter == letter)?;
             Some(words.remove(index))
         };
+        if word.value == 67.0 {
+            words.remove(index);
+            self.modal_call = None;
+            return None;
+        }
         if word.value == 99.0 {
             let to = taken('P');
             taken('L');
@@ -77,7 +93,8 @@ impl Runner {
         } else {
             self.block.words.retain(|word| !is_call(word));
         }
-        Some(Call::Program { number, times, arguments, column: word.column })
+        let call = ProgramCall { number, times, arguments, column: word.column };
+        Some(if word.value == 66.0 { Call::Modal(call) } else { Call::Program(call) })
     }
 
     /// The parameters that the words from `first` on set. I, J and K may come several times; each
@@ -110,7 +127,8 @@ impl Runner {
     /// Calls a subprogram, or returns from one.
     pub(super) fn call(&mut self, outline: &Outline, call: &Call) {
         match call {
-            Call::Program { number, times, arguments, column } => {
+            Call::Modal(call) => self.modal_call = Some(Box::new(call.clone())),
+            Call::Program(ProgramCall { number, times, arguments, column }) => {
                 let arguments = arguments.as_deref().map(|locals| (locals, ARGUMENTS));
                 let Some((start, times)) = self.find_program(outline, *number, *times) else {
                     let origin = self.block.origin_at(*column);
@@ -148,6 +166,21 @@ impl Runner {
                     self.go_to(outline, word.value, word.column);
                 }
             }
+        }
+    }
+
+    /// After a block that moves, the macro of G66 is called; its own moves call none.
+    pub(super) fn call_modal(&mut self, outline: &Outline) {
+        let Some(call) = &self.modal_call else { return };
+        if self.frames.iter().any(|frame| frame.is_modal) {
+            return;
+        }
+        let (call, depth) = (Call::Program((**call).clone()), self.frames.len());
+        self.call(outline, &call);
+        if self.frames.len() > depth
+            && let Some(frame) = self.frames.last_mut()
+        {
+            frame.is_modal = true;
         }
     }
 

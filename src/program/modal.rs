@@ -51,6 +51,8 @@ pub(super) struct Modal {
     loaded: Option<u32>,
     /// The D word, since the last tool change.
     pub(super) radius_number: Option<u32>,
+    /// OFFN: what is left on the contour [mm].
+    pub(super) allowance: f64,
     /// Radii that G10 gave tools [mm].
     radii: Vec<(u32, f64)>,
     /// Where the program is, in program coordinates [mm]: not where the tool is, once compensation
@@ -58,6 +60,10 @@ pub(super) struct Modal {
     pub(super) position: DVec3,
     /// Which coordinates of the position the program has stated; the others are assumed.
     pub(super) stated: [bool; 3],
+    /// Where the other axes are, A B C [degrees] and U V W [mm], once the program has said so.
+    pub(super) others: [Option<f64>; 6],
+    /// G12.1: X is not what it says until G13.1.
+    pub(super) polar_interpolation: bool,
 }
 
 impl Modal {
@@ -80,9 +86,12 @@ impl Modal {
             selected: None,
             loaded: None,
             radius_number: None,
+            allowance: 0.0,
             radii: Vec::new(),
             position: DVec3::ZERO,
             stated: [false; 3],
+            others: [None; 6],
+            polar_interpolation: false,
         }
     }
 

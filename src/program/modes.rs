@@ -6,6 +6,7 @@ use super::g_words::{Compensation, GWord, Motion, g_word};
 use super::interpret::Interpreter;
 use super::words::{Words, tenths};
 use crate::contour::Plane;
+use crate::diagnostic::Diagnostic;
 use crate::geometry::Decimal;
 
 /// What the G words of a block ask for besides modes.
@@ -13,6 +14,8 @@ use crate::geometry::Decimal;
 pub(super) struct Demands<'a> {
     /// A motion word was there.
     pub(super) motion: Option<Motion>,
+    /// How the axis words of this block alone move the tool.
+    pub(super) once: Option<Motion>,
     /// A word of the G05 family by ten times its number, and where it is.
     pub(super) family: Option<(u32, u32)>,
     pub(super) dwell: Option<&'a Word>,
@@ -92,6 +95,15 @@ impl Interpreter {
                     modal.cycle.end();
                 }
             }
+            GWord::Once(motion) => {
+                demands.once = Some(motion);
+                if motion == Motion::Rapid {
+                    let message = "G60 is left out: the tool comes from any side";
+                    let at = block.origin_at(word.column);
+                    self.report.push(Diagnostic::info("noted", message).with_origin(at));
+                }
+            }
+            GWord::PolarInterpolation(on) => self.polar_interpolation(block, word, on),
             GWord::SplineFamily => demands.family = Some((number, word.column)),
             GWord::EndOfCycle => {
                 modal.motion = None;
@@ -136,13 +148,7 @@ impl Interpreter {
             GWord::Act(_) => demands.acts = true,
             GWord::Harmless => {}
             GWord::PassedOn(letters) => {
-                let mut text = text_of('G', word.value);
-                let unit = self.modal.unit();
-                for letter in letters.chars() {
-                    if let Some(length) = words.take(letter) {
-                        append_word(&mut text, letter, length.value * unit);
-                    }
-                }
+                let text = self.lengths(word, letters, words);
                 auxiliary.text(rank::CONTROL, text);
             }
             GWord::NotSupported(what) => {
@@ -150,6 +156,27 @@ impl Interpreter {
                 demands.no_move = true;
             }
         }
+    }
+
+    /// A G word with lengths.
+    fn lengths(&self, word: &Word, letters: &str, words: &mut Words) -> String {
+        let mut text = text_of('G', word.value);
+        for letter in letters.chars() {
+            if let Some(length) = words.take(letter) {
+                append_word(&mut text, letter, length.value * self.modal.unit());
+            }
+        }
+        text
+    }
+
+    /// G12.1, whose moves are not made, and G13.1.
+    fn polar_interpolation(&mut self, block: &Block, word: &Word, on: bool) {
+        if on {
+            self.not_supported(block, word.column, "polar coordinate interpolation (G12.1)");
+        } else if self.modal.polar_interpolation {
+            self.forget([true, true, false]);
+        }
+        self.modal.polar_interpolation = on;
     }
 
     /// Some controls stop at this word while compensation is on; others do not mind.

@@ -2,11 +2,10 @@
 
 use glam::DVec3;
 
-use super::auxiliary::{append_word, take_as_text};
 use super::axes::Axes;
 use super::block::Block;
 use super::g_words::Motion;
-use super::interpret::{GEOMETRY, Interpreter, MINUTE};
+use super::interpret::{GEOMETRY, Interpreter};
 use super::words::Words;
 use crate::contour::Attributes;
 use crate::diagnostic::Diagnostic;
@@ -25,6 +24,10 @@ impl Interpreter {
         if motion != Motion::Cubic {
             self.curves.chained = None;
         }
+        if matches!(motion, Motion::Arc { .. } | Motion::Cycle(_)) {
+            let (others, _) = self.other_axes(block, words);
+            self.pass_on(others, false, block.origin());
+        }
         match motion {
             Motion::NotSupported(what) => {
                 if stated || words.has_any("XYZIJKRPQ") {
@@ -38,14 +41,27 @@ impl Interpreter {
                 }
             }
             Motion::Rapid | Motion::Linear => {
-                if let Some((axes, to)) = self.target(block, words, "") {
-                    let attributes = self.attributes(block, motion == Motion::Rapid, to);
+                let rapid = motion == Motion::Rapid;
+                let (others, way) = self.other_axes(block, words);
+                let target = self.target(block, words, "");
+                // It stays where it is, and needs not even say so.
+                let stays = target.as_ref().is_none_or(|(axes, to)| {
+                    let stated = self.modal.stated;
+                    let known = (0..3).all(|i| axes.words[i].is_none() || stated[i]);
+                    *to == self.modal.position && (known || !self.course.is_free())
+                });
+                if stays && !others.is_empty() {
+                    self.turn_others(block, rapid, &others, way);
+                } else if !others.is_empty() {
+                    self.course.words(others, block.origin());
+                }
+                if let Some((axes, to)) = target {
+                    let attributes = self.attributes(block, rapid, to);
                     self.line(&axes, to, attributes);
                     self.arrive(&axes, to);
-                } else {
-                    self.rotary(block, motion, words);
                 }
             }
+            Motion::Passed(tenths) => self.passed_move(block, tenths, words),
             Motion::Arc { clockwise } => {
                 if let Some((axes, to)) = self.target(block, words, "IJKR") {
                     self.arc(block, words, &axes, to, clockwise);
@@ -58,7 +74,7 @@ impl Interpreter {
                     self.arrive(&axes, to);
                 }
             }
-            Motion::Cycle(number) => self.cycle(block, number, stated, words),
+            Motion::Cycle(number) => self.cycle(block, number, words),
             Motion::TypePoints | Motion::Cubic => self.g05(block, words),
             Motion::Quadratic => {
                 if words.has_any("XYZIJK") {
@@ -75,6 +91,7 @@ impl Interpreter {
     pub(super) fn attributes(&mut self, block: &Block, rapid: bool, to: DVec3) -> Attributes {
         let plane = self.modal.plane;
         let wish = self.wish(block, to);
+        self.course.column(block, self.spline.is_none());
         let (feed, time) = if rapid { (None, None) } else { self.feed_of_moves(block) };
         Attributes {
             origin: block.origin(),
@@ -107,28 +124,6 @@ impl Interpreter {
             self.course.line(from, end, attributes, &mut self.report);
         } else if moves || self.course.takes_any_lead() {
             self.course.vertical(from, attributes, &mut self.report);
-        }
-    }
-
-    /// A block that moves other axes than x, y and z alone is passed on.
-    fn rotary(&mut self, block: &Block, motion: Motion, words: &mut Words) {
-        if !words.has_any("ABC") || !self.course.is_free() {
-            return;
-        }
-        let rapid = motion == Motion::Rapid;
-        let mut text = String::from(match (self.modal.relative, rapid) {
-            (false, true) => "G0",
-            (false, false) => "G1",
-            (true, true) => "G91 G0",
-            (true, false) => "G91 G1",
-        });
-        take_as_text(words, "ABC", &mut text);
-        if !rapid && let (Some(feed), _) = self.feed_of_moves(block) {
-            append_word(&mut text, 'F', feed * MINUTE);
-        }
-        self.course.words(text, block.origin());
-        if self.modal.relative {
-            self.course.words("G90".into(), block.origin());
         }
     }
 }

@@ -4,7 +4,7 @@
 use super::block_writer::{BlockWriter, Written, comment, push_length};
 use super::number::{push_word, whole};
 use super::target::Comments;
-use crate::diagnostic::{Diagnostic, Origin};
+use crate::diagnostic::{Diagnostic, Origin, Severity};
 use crate::geometry::{Decimal, parse_decimal};
 
 /// Letters whose numbers are lengths.
@@ -15,13 +15,13 @@ const MOST_TOLD: usize = 100;
 
 /// One word or comment of a text.
 #[derive(Debug, Clone, Copy)]
-enum Token<'a> {
+pub(super) enum Token<'a> {
     Comment(&'a str),
     Word(char, f64),
 }
 
 impl<'a> Token<'a> {
-    fn is(&self, letter: char, number: f64) -> bool {
+    pub(super) fn is(&self, letter: char, number: f64) -> bool {
         matches!(self, Self::Word(found, value) if *found == letter && *value == number)
     }
 
@@ -35,10 +35,10 @@ impl<'a> Token<'a> {
 
 /// A G or M word with the words that belong to it.
 #[derive(Debug, Clone, Copy)]
-struct Command<'a> {
-    value: f64,
-    parameters: &'a [Token<'a>],
-    origin: Origin,
+pub(super) struct Command<'a> {
+    pub(super) value: f64,
+    pub(super) parameters: &'a [Token<'a>],
+    pub(super) origin: Origin,
 }
 
 impl Command<'_> {
@@ -55,13 +55,15 @@ pub(super) struct Passing {
     /// Words that were told to be left out, with ten times their number.
     told: Vec<(char, i64)>,
     /// The spindle as it turns (M3, M4) and its speed, where they must be said together.
-    spindle: [Option<f64>; 2],
+    pub(super) spindle: [Option<f64>; 2],
     /// The T word.
-    tool: Option<f64>,
+    pub(super) tool: Option<f64>,
     /// Whether a tool length that was left out would be in effect.
     no_length: bool,
     /// Whether all words of a text were written.
     complete: bool,
+    /// Whether moves were left out from whose end the program goes on.
+    pub(super) is_cut_off: bool,
 }
 
 impl Passing {
@@ -72,9 +74,7 @@ impl Passing {
         let mut line = String::new();
         let mut comments: Vec<&str> = Vec::new();
         let mut says = true;
-        let is_g =
-            |token: &Token, number: f64| matches!(token, Token::Word('G', n) if *n == number);
-        let machine = tokens.iter().any(|token| is_g(token, 53.0));
+        let machine = tokens.iter().any(|token| token.is('G', 53.0));
         let mut i = 0;
         while let Some(&token) = tokens.get(i) {
             i += 1;
@@ -105,22 +105,26 @@ impl Passing {
                 }
             }
             let command = Command { value, parameters: &tokens[first..i], origin };
+            let states = letter == 'G' && matches!(tenths(value), 0 | 10) && !machine;
+            if states || matches!(letter, 'A'..='C' | 'U'..='W') {
+                out.words(&line);
+                line.clear();
+                self.axes(out, &tokens[first - 1..i], origin);
+                continue;
+            }
+            if out.facts.klartext {
+                let ahead = tokens.get(i..).unwrap_or_default();
+                self.klartext(out, letter, command, ahead);
+                continue;
+            }
             match letter {
                 'G' if machine => {
                     if out.facts.knows_g(530) {
                         command.push(&mut line, 'G', out);
-                        out.forget_motion();
+                        out.forget_motion(find(command.parameters, 'F').is_some());
                     } else {
                         self.left_out('G', 53.0, origin);
                     }
-                }
-                'G' if matches!(tenths(value), 0 | 10) => {
-                    out.words(&line);
-                    line.clear();
-                    let motion = if tenths(value) == 0 { '0' } else { '1' };
-                    let axis = |letter| find(command.parameters, letter);
-                    let axes = [axis('X'), axis('Y'), axis('Z')];
-                    out.state(motion, axes, axis('F'));
                 }
                 'G' => self.g_word(&mut line, command, out),
                 'M' if tenths(value) == 60 && !out.facts.knows_m(60) => {
@@ -202,6 +206,13 @@ impl Passing {
             // The value of G64 P is LinuxCNC's own.
             let alone = number == 640 && out.facts.tape;
             push_command(line, 'G', value, if alone { &[] } else { parameters }, out);
+            if makes_moves(number) {
+                out.forget_motion(true);
+                // FANUC's lead of a thread is its feed.
+                if number == 330 && out.facts.tape {
+                    *line = line.replace('K', "F");
+                }
+            }
         }
     }
 
@@ -246,20 +257,55 @@ impl Passing {
     }
 
     /// Says that a word is left out, once.
-    fn left_out(&mut self, letter: char, value: f64, origin: Origin) {
+    pub(super) fn left_out(&mut self, letter: char, value: f64, origin: Origin) {
         self.complete = false;
         let word = (letter, tenths(value));
+        self.is_cut_off |= letter == 'G' && makes_moves(word.1);
         if self.told.contains(&word) || self.told.len() > MOST_TOLD {
             return;
         }
         self.told.push(word);
         let message =
             format!("{letter}{} is left out: the target does not know it", Decimal::of(value));
-        self.diagnostics.push(
-            Diagnostic::warning("left-out", message)
-                .with_origin(origin)
-                .with_hint("do on the machine what it would do"),
-        );
+        let missing = letter == 'G' && makes_moves(word.1);
+        let (severity, hint) = if missing {
+            (Severity::Error, "the written program ends before it; choose another target")
+        } else {
+            (Severity::Warning, "do on the machine what it would do")
+        };
+        let left_out = Diagnostic::warning("left-out", message).with_origin(origin);
+        self.diagnostics.push(Diagnostic { severity, ..left_out.with_hint(hint) });
+    }
+
+    /// Axes that a block states, or that are to move with the next one.
+    fn axes(&mut self, out: &mut BlockWriter, tokens: &[Token], origin: Origin) {
+        for token in tokens {
+            if let Token::Word(letter @ ('A'..='C' | 'U'..='W'), value) = *token {
+                if out.facts.axes {
+                    out.also(letter, value);
+                } else {
+                    self.no_axis(letter, origin);
+                }
+            }
+        }
+        if let Some(motion) = find(tokens, 'G') {
+            let axis = |letter| find(tokens, letter);
+            let motion = if motion == 0.0 { '0' } else { '1' };
+            out.state(motion, [axis('X'), axis('Y'), axis('Z')], axis('F'));
+        }
+    }
+
+    fn no_axis(&mut self, letter: char, origin: Origin) {
+        self.complete = false;
+        if self.told.iter().all(|(told, _)| *told != letter) {
+            self.told.push((letter, 0));
+            let message = format!("the target has no axis {letter}: its moves are left out");
+            self.tell(
+                Diagnostic::error("left-out", message)
+                    .with_origin(origin)
+                    .with_hint("the part will not be as programmed"),
+            );
+        }
     }
 
     fn tell(&mut self, diagnostic: Diagnostic) {
@@ -303,6 +349,11 @@ pub(super) fn program_number(words: &str) -> Option<u32> {
     parse_decimal(digits).and_then(whole)
 }
 
+/// Whether a G word, by ten times its number, cuts a thread or probes.
+fn makes_moves(tenths: i64) -> bool {
+    matches!(tenths, 310 | 330 | 331 | 382..=385 | 760)
+}
+
 /// Whether words choose a coordinate system.
 pub(super) fn has_frame(words: &str) -> bool {
     tokens(words).iter().any(|token| match token {
@@ -341,14 +392,14 @@ fn tokens(text: &str) -> Vec<Token<'_>> {
     tokens
 }
 
-fn find(tokens: &[Token], letter: char) -> Option<f64> {
+pub(super) fn find(tokens: &[Token], letter: char) -> Option<f64> {
     tokens.iter().find_map(|token| match token {
         Token::Word(found, value) if *found == letter => Some(*value),
         _ => None,
     })
 }
 
-fn push_command(
+pub(super) fn push_command(
     line: &mut String,
     letter: char,
     value: f64,
@@ -372,7 +423,7 @@ fn push_command(
 }
 
 /// Ten times the number of a word.
-fn tenths(value: f64) -> i64 {
+pub(super) fn tenths(value: f64) -> i64 {
     #[expect(clippy::cast_possible_truncation, reason = "at most 1e10")]
     let tenths = (value * 10.0).round() as i64;
     tenths

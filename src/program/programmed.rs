@@ -1,13 +1,15 @@
 //! A program as it is programmed: its contours with the words that leave compensation to the control
 //! that will run it.
 
+use super::arcs::CENTER;
+use super::auxiliary::append_word;
 use super::items::{ContourEnd, Item, ProgrammedContour, RadiusSource};
 use super::number::push_word;
 use super::run::Interpretation;
 use crate::contour::{
     Attributes, AuxiliaryWords, EventKind, Lead, Move, MoveCurve, Role, Side, ToolPath,
 };
-use crate::diagnostic::Origin;
+use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Curve, Line};
 
 /// The path of the programmed contours themselves, G41 or G42 before each and G40 behind it, for a
@@ -76,7 +78,21 @@ fn contour(programmed: &ProgrammedContour, path: &mut ToolPath) {
     if tapers {
         return;
     }
-    words(path, String::from("G40"), off);
+    let mut text = String::from("G40");
+    if let Some(wall) = contour.wall() {
+        let [first, second, _] = contour.segments()[0].attributes.plane.axes();
+        append_word(&mut text, CENTER[first], wall.x);
+        append_word(&mut text, CENTER[second], wall.y);
+    }
+    words(path, text, off);
+    if programmed.allowance != 0.0 {
+        let message = "the allowance (OFFN) is left out: the control will not know it";
+        path.diagnostics.push(
+            Diagnostic::error("left-out", message)
+                .with_origin(on)
+                .with_hint("add it to the radius of the tool on the machine"),
+        );
+    }
     if let Some(lead) = contour.lead_out() {
         lead_move(path, lead, Role::LeadOut, |lead| Line::new(contour.end(), lead));
     }

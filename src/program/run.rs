@@ -5,12 +5,13 @@
 
 use std::sync::Arc;
 
-use super::block::Block;
+use super::block::{Block, Word};
 use super::cursor::Cursor;
 use super::dialect::Dialect;
 use super::interpret::{Flow, Interpreter};
 use super::items::Item;
 use super::lexer::LineReader;
+use super::macros::ProgramCall;
 use super::outline::{Outline, Step, after_end};
 use super::parameters::{Locals, Parameters, Setting, Target};
 use super::reader::Program;
@@ -87,6 +88,8 @@ pub(super) struct Frame {
     pub(super) arguments: Option<Box<Locals>>,
     /// Whether it is ended by `endsub` instead of M99.
     pub(super) is_sub: bool,
+    /// Whether G66 called it.
+    pub(super) is_modal: bool,
 }
 
 /// A repeat that goes on.
@@ -120,6 +123,8 @@ pub struct Runner {
     pub(super) place: Place,
     pub(super) frames: Vec<Frame>,
     pub(super) repetitions: Vec<Repetition>,
+    /// What G66 calls.
+    pub(super) modal_call: Option<Box<ProgramCall>>,
     /// The block at work; kept for its memory.
     pub(super) block: Block,
     settings: Vec<Setting>,
@@ -149,6 +154,7 @@ impl Runner {
             place,
             frames: Vec::new(),
             repetitions: Vec::new(),
+            modal_call: None,
             block: Block::default(),
             settings: Vec::new(),
             numbered: None,
@@ -247,6 +253,14 @@ impl Runner {
         }
         self.run_block();
         self.assign();
+        let moves = |word: &Word| matches!(word.letter, 'X' | 'Y' | 'Z');
+        if self.modal_call.is_some()
+            && !self.ended
+            && call.is_none()
+            && self.block.words.iter().any(moves)
+        {
+            self.call_modal(outline);
+        }
         if let Some(call) = call
             && !self.ended
         {

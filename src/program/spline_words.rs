@@ -2,7 +2,7 @@
 //!
 //! The reader gives these words small letters: `s` for ASPLINE, BSPLINE and CSPLINE, `b` and `e`
 //! for how they begin and end, `w` for PW, `l` for PL and `d` for SD; `k` for NORM and KONT and `v`
-//! for DISC, which are no words for splines (`corner_words`).
+//! for DISC, `o` for OFFN, which are no words for splines (`corner_words`).
 
 use glam::{DVec2, DVec3};
 
@@ -16,9 +16,11 @@ use crate::contour::{ARC_TOLERANCE, Shape};
 use crate::geometry::{Arc, Involute, RadiusForm, perp};
 
 /// Words without a number: their letter and the number that stands for them.
-pub(super) const NAMES: [(&str, char, f64); 11] = [
+pub(super) const NAMES: [(&str, char, f64); 13] = [
     ("NORM", 'k', 0.0),
     ("KONT", 'k', 1.0),
+    ("KONTT", 'k', 2.0),
+    ("KONTC", 'k', 3.0),
     ("ASPLINE", 's', 0.0),
     ("BSPLINE", 's', 1.0),
     ("CSPLINE", 's', 2.0),
@@ -31,8 +33,8 @@ pub(super) const NAMES: [(&str, char, f64); 11] = [
 ];
 
 /// Words with a value behind `=`, and their letters.
-pub(super) const ADDRESSES: [(&str, u8); 4] =
-    [("PW", b'w'), ("PL", b'l'), ("SD", b'd'), ("DISC", b'v')];
+pub(super) const ADDRESSES: [(&str, u8); 5] =
+    [("PW", b'w'), ("PL", b'l'), ("SD", b'd'), ("DISC", b'v'), ("OFFN", b'o')];
 
 impl Interpreter {
     /// The modes that the words set.

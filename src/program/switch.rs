@@ -20,6 +20,11 @@ impl Interpreter {
         words: &mut Words,
     ) {
         let number = words.take('D');
+        let offset = words.take('o');
+        if let Some(word) = offset {
+            self.modal.allowance = word.value * self.modal.unit();
+        }
+        let allowance = self.modal.allowance;
         let origin = block.origin_at(demand.map(|(_, w)| w).or(number).map_or(1, |w| w.column));
         let switches_on =
             matches!(demand, Some((Compensation::Tool(_) | Compensation::Diameter(_), _)));
@@ -47,6 +52,7 @@ impl Interpreter {
         let switched = match demand {
             Some((Compensation::Off, _)) => {
                 self.read_radius_number(block, number);
+                self.wall(words);
                 self.course.switch_off(origin);
                 return;
             }
@@ -58,18 +64,18 @@ impl Interpreter {
                 };
                 let radius = RadiusSource::Given(0.5 * diameter.value * unit);
                 let orientation = self.orientation(block, words.take('L'));
-                Some(SwitchOn { side: seen(side), radius, orientation, unit, origin })
+                Some(SwitchOn { side: seen(side), radius, allowance, orientation, unit, origin })
             }
             Some((Compensation::Tool(side), _)) => {
                 self.read_radius_number(block, number);
                 let radius = self.radius_source(origin);
-                Some(SwitchOn { side: seen(side), radius, orientation: 0, unit, origin })
+                Some(SwitchOn { side: seen(side), radius, allowance, orientation: 0, unit, origin })
             }
-            None if number.is_some() => {
+            None if number.or(offset).is_some() => {
                 self.read_radius_number(block, number);
                 self.course.switched().map(|before| {
                     let radius = self.radius_source(origin);
-                    SwitchOn { side: before.side, radius, orientation: 0, unit, origin }
+                    SwitchOn { side: before.side, radius, allowance, orientation: 0, unit, origin }
                 })
             }
             None => None,

@@ -100,6 +100,7 @@ impl Interpreter {
                 Some(Motion::Controls) => 52.0,
                 Some(Motion::Through) => 61.0,
                 Some(Motion::Knots) => 62.0,
+                Some(Motion::Passed(number)) => f64::from(number),
                 Some(Motion::Involute { .. } | Motion::Named(_) | Motion::NotSupported(_)) => {
                     return None;
                 }

@@ -2,8 +2,8 @@
 //!
 //! Facts are those of the controllers' own manuals and sources: grbl 1.1 and `grblHAL` (their
 //! parsers), `LinuxCNC` (its G-code reference), Smoothieware in its CNC build, Marlin 2 with its
-//! options as delivered, and the preparatory functions of FANUC's 0M, 6M and 30i. A word that is not in a
-//! table is never written for that target.
+//! options as delivered, and the preparatory functions of FANUC's 0M, 6M and 30i, and the iTNC 530. A
+//! word that is not in a table is never written for that target.
 
 /// A controller that programs are written for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -25,11 +25,13 @@ pub enum Target {
     Fanuc6M,
     /// FANUC 30i.
     Fanuc30I,
+    /// Heidenhain's TNC controls, in their conversational language.
+    Heidenhain,
 }
 
 impl Target {
     /// All of them, in the order in which they are offered.
-    pub const ALL: [Self; 8] = [
+    pub const ALL: [Self; 9] = [
         Self::Grbl,
         Self::GrblHal,
         Self::LinuxCnc,
@@ -38,6 +40,7 @@ impl Target {
         Self::Fanuc0M,
         Self::Fanuc6M,
         Self::Fanuc30I,
+        Self::Heidenhain,
     ];
 
     pub(super) fn facts(self) -> &'static Facts {
@@ -50,6 +53,7 @@ impl Target {
             Self::Fanuc0M => &FANUC_0M,
             Self::Fanuc6M => &FANUC_6M,
             Self::Fanuc30I => &FANUC_30I,
+            Self::Heidenhain => &HEIDENHAIN,
         }
     }
 }
@@ -70,6 +74,8 @@ pub(super) struct Facts {
     pub(super) point: bool,
     /// Whether a program stands between `%`, has a number (O) and numbers its blocks (N).
     pub(super) tape: bool,
+    /// Whether it speaks Heidenhain's language in place of G-code.
+    pub(super) klartext: bool,
     /// Whether a motion word stays in effect; else each block repeats it.
     pub(super) modal: bool,
     /// Whether a block holds one command only.
@@ -84,6 +90,8 @@ pub(super) struct Facts {
     pub(super) comments: Comments,
     /// The letter beside G4 that counts in seconds.
     pub(super) dwell: char,
+    /// Whether it knows axes besides x, y and z: A, B, C, U, V and W, as its builder has them.
+    pub(super) axes: bool,
     /// Whether it takes T words.
     pub(super) tools: bool,
     /// What stands for M6 where that is not known: the operator changes the tool and goes on.
@@ -126,6 +134,7 @@ static GRBL: Facts = Facts {
     feed_decimals: 3,
     point: false,
     tape: false,
+    klartext: false,
     modal: true,
     single: false,
     planes: true,
@@ -133,18 +142,23 @@ static GRBL: Facts = Facts {
     involutes: false,
     comments: Comments::Both,
     dwell: 'P',
+    axes: false,
     tools: true,
     pause: "M0",
-    g: &[40, 100, 280, 281, 300, 301, 431, 490, 530, 540, 550, 560, 570, 580, 590, 610, 920, 921],
+    g: &[
+        40, 100, 280, 281, 300, 301, 382, 383, 384, 385, 431, 490, 530, 540, 550, 560, 570, 580,
+        590, 610, 920, 921,
+    ],
     m: &[0, 1, 2, 3, 4, 5, 8, 9, 30],
 };
 
 static GRBL_HAL: Facts = Facts {
     header: &["G21 G90 G91.1 G17 G40 G94"],
     splines: true,
+    axes: true,
     g: &[
-        40, 100, 280, 281, 300, 301, 430, 431, 432, 490, 530, 540, 550, 560, 570, 580, 590, 591,
-        592, 593, 610, 920, 921, 922, 923,
+        40, 100, 280, 281, 300, 301, 330, 382, 383, 384, 385, 430, 431, 432, 490, 530, 540, 550,
+        560, 570, 580, 590, 591, 592, 593, 610, 760, 920, 921, 922, 923,
     ],
     m: &[
         0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 30, 48, 49, 50, 51, 53, 56, 60, 61, 62, 63, 64, 65, 66, 67,
@@ -156,9 +170,11 @@ static GRBL_HAL: Facts = Facts {
 static LINUX_CNC: Facts = Facts {
     header: &["G21 G90 G91.1 G17 G40 G94"],
     splines: true,
+    axes: true,
     g: &[
-        40, 70, 80, 100, 280, 281, 300, 301, 400, 410, 411, 420, 421, 430, 431, 432, 490, 530, 540,
-        550, 560, 570, 580, 590, 591, 592, 593, 610, 611, 640, 920, 921, 922, 923, 960, 970,
+        40, 70, 80, 100, 280, 281, 300, 301, 330, 331, 382, 383, 384, 385, 760, 400, 410, 411, 420,
+        421, 430, 431, 432, 490, 530, 540, 550, 560, 570, 580, 590, 591, 592, 593, 610, 611, 640,
+        920, 921, 922, 923, 960, 970,
     ],
     // With the user's own M100 to M199.
     m: &[],
@@ -172,7 +188,8 @@ static SMOOTHIEWARE: Facts = Facts {
     dwell: 'S',
     tools: false,
     pause: "M600",
-    g: &[40, 100, 280, 530, 540, 550, 560, 570, 580, 590, 591, 592, 593, 920, 921, 923],
+    axes: true,
+    g: &[40, 100, 280, 382, 383, 530, 540, 550, 560, 570, 580, 590, 591, 592, 593, 920, 921, 923],
     m: &[2, 3, 5, 7, 8, 9, 600],
     ..GRBL
 };
@@ -203,9 +220,10 @@ static FANUC_0M: Facts = Facts {
     tape: true,
     comments: Comments::Parentheses,
     dwell: 'X',
+    axes: true,
     g: &[
-        40, 90, 100, 270, 280, 290, 300, 310, 400, 410, 420, 430, 440, 490, 530, 540, 550, 560,
-        570, 580, 590, 610, 630, 640, 920,
+        40, 90, 100, 270, 280, 290, 300, 310, 330, 400, 410, 420, 430, 440, 490, 530, 540, 550,
+        560, 570, 580, 590, 610, 630, 640, 920,
     ],
     m: &[],
     ..GRBL
@@ -223,6 +241,19 @@ static FANUC_6M: Facts = Facts {
 
 /// Involutes are what it is here for; its other words are those of the 0M.
 static FANUC_30I: Facts = Facts { involutes: true, ..FANUC_0M };
+
+/// As the iTNC 530 knows them. Its place of work is chosen on the machine, lengths come with the tool,
+/// and the last radius of a tool is that of its call.
+static HEIDENHAIN: Facts = Facts {
+    header: &[],
+    klartext: true,
+    splines: true,
+    comments: Comments::Semicolon,
+    axes: true,
+    g: &[40, 400, 410, 420, 530],
+    m: &[],
+    ..GRBL
+};
 
 #[cfg(test)]
 mod tests {

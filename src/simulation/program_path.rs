@@ -10,7 +10,7 @@ use crate::compensation::{
     GougePolicy, LeadStyle, Options, Passes, compensate_all, compensate_beside, refuse_gouges,
 };
 use crate::contour::{
-    AuxiliaryWords, Contour, EventKind, Move, MoveCurve, Role, Tool, ToolPath, Walls,
+    AuxiliaryWords, Contour, EventKind, Move, MoveCurve, Reset, Role, Tool, ToolPath, Walls,
 };
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Decimal, Line, MIN_LENGTH};
@@ -122,11 +122,16 @@ impl Course {
             Item::Free(free) => self.free(*free),
             Item::Words { words, reset, origin } => {
                 let mut reset = *reset;
-                self.is_reset |= reset.is_some() && !words.is_empty();
+                // Moves that words make start where the tool is.
+                let makes_none = |reset: &Reset| reset.moves == 0;
+                self.is_reset |= reset.as_ref().is_some_and(makes_none) && !words.is_empty();
                 // Where only axes are to be stated the tool stays where it is, maybe beside the
                 // contour.
-                if let (Some(reset), Some(at), false) = (&mut reset, self.position(), self.is_reset)
-                {
+                if let (Some(reset), Some(at), false) = (
+                    reset.as_mut().filter(|reset| makes_none(reset)),
+                    self.position(),
+                    self.is_reset,
+                ) {
                     reset.at = at;
                 }
                 self.path.words.push(AuxiliaryWords {

@@ -59,16 +59,17 @@ impl Tools {
     #[must_use]
     pub fn radius_of(&self, programmed: &ProgrammedContour) -> Option<f64> {
         let number = match programmed.radius {
-            RadiusSource::Given(radius) => return Some(radius),
+            RadiusSource::Given(radius) => return Some(radius + programmed.allowance),
             RadiusSource::Tool(number) => number,
         };
-        match self.find(number) {
+        let radius = match self.find(number) {
             Some(ListedTool { size: ToolSize::Radius(radius), .. }) => Some(*radius),
             Some(ListedTool { size: ToolSize::Diameter(diameter), .. }) => {
                 Some(0.5 * diameter * programmed.unit)
             }
             None => self.default_radius,
-        }
+        };
+        radius.map(|radius| radius + programmed.allowance)
     }
 }
 

@@ -226,3 +226,125 @@ fn every_outside_corner_after_an_arc_in_r_form() {
         G0 1.0884 -0.0884 1",
     );
 }
+
+/// The user's manual draws an outside profile: corners, a rounding and a chamfer, gone round by a tool
+/// of diameter 1 on either side.
+#[test]
+fn outside_profile_on_both_sides() {
+    assert_moves(
+        "G21 F60
+        G40
+        G0 X0 Y-2
+        G41 D1 G1 X0 Y0
+        Y3
+        X3
+        G2 X4 Y2 I0 J-1
+        G1 Y0
+        X1
+        X0 Y1
+        G40 X-2 Y1
+        M2",
+        &[(1, 1.0, 0)],
+        1.0,
+        "G0 0 -2 0
+        G1 -0.5 0 0
+        G1 -0.5 3 0
+        G2 0 3.5 0 0 3
+        G1 3 3.5 0
+        G2 4.5 2 0 3 2
+        G1 4.5 0 0
+        G2 4 -0.5 0 4 0
+        G1 1 -0.5 0
+        G2 0.6464 -0.3536 0 1 0
+        G1 -0.3536 0.6464 0
+        G1 -2 1 0",
+    );
+    // Mirrored in y = x, and so on the other side.
+    assert_moves(
+        "G21 F60
+        G40
+        G0 X-2 Y0
+        G42 D1 G1 X0 Y0
+        X3
+        Y3
+        G3 X2 Y4 I-1 J0
+        G1 X0
+        Y1
+        X1 Y0
+        G40 X1 Y-2
+        M2",
+        &[(1, 1.0, 0)],
+        1.0,
+        "G0 -2 0 0
+        G1 0 -0.5 0
+        G1 3 -0.5 0
+        G3 3.5 0 0 3 0
+        G1 3.5 3 0
+        G3 2 4.5 0 2 3
+        G1 0 4.5 0
+        G3 -0.5 4 0 0 4
+        G1 -0.5 1 0
+        G3 -0.3536 0.6464 0 0 1
+        G1 0.6464 -0.3536 0
+        G1 1 -2 0",
+    );
+}
+
+/// And an inside profile, entered and left along arcs.
+#[test]
+fn inside_profile_entered_along_an_arc() {
+    assert_moves(
+        "G21 F60
+        G40
+        G0 X2 Y2 Z1
+        G41 D1 G1 X2 Y1
+        G3 X3 Y0 I1 J0 Z0
+        G1 X6
+        Y4
+        X0
+        Y0
+        X3
+        G3 X4 Y1 I0 J1
+        G40 G1 X4 Y2
+        M2",
+        &[(1, 1.0, 0)],
+        1.0,
+        "G0 2 2 1
+        G1 2.5 1 1
+        G3 3 0.5 0 3 1
+        G1 5.5 0.5 0
+        G1 5.5 3.5 0
+        G1 0.5 3.5 0
+        G1 0.5 0.5 0
+        G1 3 0.5 0
+        G3 3.5 1 0 3 1
+        G1 4 2 0",
+    );
+}
+
+/// The manual's arcs by their centres and by a radius, a helix and one of two turns, without a tool.
+#[test]
+fn arcs_of_every_form() {
+    assert_moves(
+        "G21 F60
+        G0 X0 Y0 Z0
+        G2 X1 Y1 I1 J0
+        G0 X0 Y0
+        G2 X0 Y1 I1 J0.5
+        G3 X0 Y0 I1 J-0.5
+        G2 X0 Y1 Z-1 I1 J0.5 P2
+        G0 X0 Y0 Z0
+        G17 G2 X10 Y15 R20 Z5
+        M2",
+        &[],
+        1.0,
+        "G2 1 1 0 1 0
+        G0 0 0 0
+        G2 0 1 0 1 0.5
+        G3 0 0 0 1 0.5
+        G2 0 0 -0.8714 1 0.5
+        G2 0 1 -1 1 0.5
+        G0 0 0 0
+        G2 10 15 5 19.8551 -2.4034",
+    );
+}

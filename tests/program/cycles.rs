@@ -153,7 +153,6 @@ fn what_a_cycle_cannot_do_is_reported() {
         ("G83 X1 Z-2 R1 Q0.00001 F60", "bad-peck"),
         ("G81 X1 Z-2 R1 L1.5 F60", "bad-repeats"),
         ("G81 X1 Z-2 R1 L1000000 F60", "bad-repeats"),
-        ("G76 P1 Z-9 I-1 J0.1 R2 K0.5", "not-supported"),
     ] {
         let read = read(&format!("G0 X0 Y0 Z5\n{text}\n"));
         let seen: Vec<_> = found(&read).iter().map(|f| (f.0, f.1, f.2)).collect();

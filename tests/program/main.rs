@@ -9,6 +9,7 @@ mod frames;
 mod macros;
 mod meant;
 mod order;
+mod passed;
 mod planes;
 mod reported;
 mod sample;

@@ -278,7 +278,7 @@ fn free_type_points_are_cubics() {
 #[test]
 fn a_spline_of_two_points_is_reported() {
     let read = read("G0 X10 Y0\nG05 X20 Y5 F100\nG01 X30\n");
-    assert_eq!(found(&read), [("too-few-points", ERROR, 2, None)], "the spline");
+    assert_eq!(found(&read), [("too-few-points", ERROR, 2, Some(1))], "the spline");
 }
 
 #[test]

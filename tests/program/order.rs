@@ -41,5 +41,5 @@ fn words_take_their_own_letters_with_them() {
     ] {
         assert_eq!(words(&read_clean(text)), [expected], "{text}");
     }
-    assert_eq!(words(&read_clean("G91 G0 A90")), ["G91 G0 A90", "G90"], "incremental");
+    assert_eq!(words(&read_clean("G0 A1\nG91 A90")), ["G0 A1", "G0 A91"], "incremental");
 }

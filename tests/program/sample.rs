@@ -45,7 +45,7 @@ pub(crate) fn codes(text: &str, dialect: Dialect) -> Vec<&'static str> {
 
 pub(crate) fn contours(read: &Interpretation) -> Vec<&ProgrammedContour> {
     fn contour(item: &Item) -> Option<&ProgrammedContour> {
-        if let Item::Contour(found) = item { Some(found) } else { None }
+        if let Item::Contour(found) = item { Some(&**found) } else { None }
     }
     read.items.iter().filter_map(contour).collect()
 }

@@ -29,6 +29,7 @@ export const TARGETS: Readonly<Record<Target, string>> = {
   "fanuc-0m": "FANUC 0M",
   "fanuc-6m": "FANUC 6M",
   "fanuc-30i": "FANUC 30i",
+  heidenhain: "Heidenhain",
 };
 
 /** Whether a text is one of the names. */

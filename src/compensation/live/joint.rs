@@ -94,7 +94,7 @@ impl Local {
             let section = self.section(index - 1, self.parts[index - 1].spans() - 1, 1);
             let run = Run::new(&section.segment, self.tool, &self.options);
             let LeadSolution { end, solution, .. } =
-                lead_out(&run, point, LeadWish::AsChosen, self.tool, &self.options);
+                lead_out(&run, point, None, LeadWish::AsChosen, self.tool, &self.options);
             joint.incoming = self.end(solution.incoming, &section, &run);
             joint.inserted = solution.inserted;
             joint.after = vec![end, point];

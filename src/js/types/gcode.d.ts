@@ -7,7 +7,8 @@ import type { Diagnostic } from "./reports.js";
  *
  * `"grbl"` is read by every controller of plain G-code in millimetres; `"smoothieware"` is its CNC
  * build, `"marlin"` Marlin 2 with its options as delivered. Of these `"fanuc-30i"` alone knows involutes
- * (G2.2, G3.2); elsewhere they become arcs and lines.
+ * (G2.2, G3.2); elsewhere they become arcs and lines. `"heidenhain"` is the conversational language of the
+ * iTNC.
  */
 export type Target =
   | "grbl"
@@ -17,7 +18,8 @@ export type Target =
   | "marlin"
   | "fanuc-0m"
   | "fanuc-6m"
-  | "fanuc-30i";
+  | "fanuc-30i"
+  | "heidenhain";
 
 /** How code is written. */
 export interface GcodeOptions {
