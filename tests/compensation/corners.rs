@@ -13,11 +13,20 @@ pub(crate) enum Leg {
     Arc(f64),
     /// Bends to the left where positive: radius of the circle on which its type points lie.
     Spline(f64),
+    /// Bends to the left where positive: its radius of curvature at the corner, in tool radii.
+    Involute(f64),
 }
 
 impl Leg {
-    pub(crate) const ALL: [Self; 5] =
-        [Self::Line, Self::Arc(14.0), Self::Arc(-14.0), Self::Spline(16.0), Self::Spline(-16.0)];
+    pub(crate) const ALL: [Self; 7] = [
+        Self::Line,
+        Self::Arc(14.0),
+        Self::Arc(-14.0),
+        Self::Spline(16.0),
+        Self::Spline(-16.0),
+        Self::Involute(12.0),
+        Self::Involute(-12.0),
+    ];
 
     pub(crate) fn is_straight(self) -> bool {
         self == Self::Line
@@ -26,6 +35,9 @@ impl Leg {
 
 /// How far a leg reaches from the corner, in tool radii.
 const REACH: f64 = 12.0;
+
+/// Base radius of an involute, in tool radii.
+const BASE: f64 = 9.0;
 
 /// The leg out of `from` with the unit tangent `along` there, for a tool of `radius`.
 fn outgoing(leg: Leg, from: DVec2, along: DVec2, radius: f64) -> Shape {
@@ -46,6 +58,16 @@ fn outgoing(leg: Leg, from: DVec2, along: DVec2, radius: f64) -> Shape {
                 ..SplineShape::default()
             })
         }
+        Leg::Involute(bend) => {
+            let base = BASE * radius;
+            // Outward: the thread leaves the circle along the normal, and its direction is `along`.
+            let center = from + along.perp() * bend * radius - along * base;
+            let first = bend.abs() / BASE;
+            let last = (first * first + 2.0 * REACH / BASE).sqrt();
+            let leaves = DVec2::from_angle((last - first) * bend.signum()).rotate(along);
+            let to = center + leaves * base - leaves.perp() * (base * last * bend.signum());
+            Shape::Involute { to, center, radius: base, clockwise: bend < 0.0 }
+        }
     }
 }
 
@@ -58,6 +80,7 @@ pub(crate) fn corner(legs: [Leg; 2], heading: f64, turn: f64, radius: f64) -> Sk
         Leg::Line => Leg::Line,
         Leg::Arc(bend) => Leg::Arc(-bend),
         Leg::Spline(bend) => Leg::Spline(-bend),
+        Leg::Involute(bend) => Leg::Involute(-bend),
     };
     let back = Sketch::open(DVec2::ZERO, [outgoing(flipped, DVec2::ZERO, -t1, radius)]);
     let mut sketch = back.reversed();

@@ -16,6 +16,7 @@ mod fuzz;
 mod given_cubics;
 mod gouges;
 mod inside_corners;
+mod involutes;
 mod judge;
 mod judged;
 mod leads;

@@ -177,7 +177,13 @@ impl Sketch {
         let first = match &contour.segments()[index].curve {
             Curve::Line(_) => line(middle),
             Curve::Arc(whole) => arc(middle, whole.center(), whole.is_clockwise()),
-            Curve::Involute(_) | Curve::Spline(_) => return None,
+            Curve::Involute(whole) => Shape::Involute {
+                to: middle,
+                center: whole.center(),
+                radius: whole.base_radius(),
+                clockwise: whole.is_clockwise(),
+            },
+            Curve::Spline(_) => return None,
         };
         let second = match &self.shapes[index] {
             Shape::ArcByRadius { to, radius, clockwise, .. } => Shape::ArcByRadius {

@@ -79,7 +79,7 @@ fn for_each(check: impl Fn(&Case)) {
             }
         }
     }
-    assert_eq!(cases, 25 * 2 * 2 * TURNS.len(), "rows of the table");
+    assert_eq!(cases, 49 * 2 * 2 * TURNS.len(), "rows of the table");
 }
 
 /// Ends of the offset of a curve.

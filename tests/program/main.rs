@@ -1,11 +1,15 @@
 //! What programs mean, and what is reported of the rest.
 
+#[path = "../common/mod.rs"]
+mod common;
+
 mod bounds;
 mod cycles;
 mod expressions;
 mod feeds;
 mod flow;
 mod frames;
+mod involutes;
 mod macros;
 mod meant;
 mod order;
