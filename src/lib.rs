@@ -86,6 +86,8 @@
 //! * E. T. Y. Lee, "Choosing nodes in parametric curve interpolation", 1989: centripetal spacing.
 //! * N. M. Patrikalakis and T. Maekawa, "Shape Interrogation for Computer Aided Design and
 //!   Manufacturing", ch. 11: offsets, their curvature and their cusps.
+//! * R. T. Farouki, "Pythagorean-Hodograph Curves", 2008: curves whose arc length is a polynomial,
+//!   which round corners in [`motion`].
 //! * K. M. Bolton, "Biarc curves", 1975: arcs through points and tangents.
 
 pub mod compensation;

@@ -42,6 +42,10 @@ const OF_SHARPNESS: f64 = 0.000_651_1;
 /// Places at which a blend is compared with what it replaces, in each half.
 const PLACES: usize = 16;
 
+/// Cosine of the turn from one place to the next, 25°, that is still slight: corners of 170° turn by
+/// 10°, and an arc that a leg takes a radian of by 4°.
+const SLIGHT: f64 = 0.9;
+
 impl Rough {
     /// The joint from the end of one piece to the start of another; `None` where it all but goes back.
     pub(super) fn of(end: &Frame, start: &Frame, deviation: f64) -> Option<Self> {
@@ -124,7 +128,7 @@ fn septic(start: &Frame, end: &Frame, speed: f64) -> Vec<DVec3> {
 }
 
 /// How far a blend strays from the pieces that it replaces the ends of, and the joint from the blend
-/// [mm]; infinite where it loops or stands.
+/// [mm]; infinite where it, or what it replaces, has a bend that the places are too few for.
 ///
 /// Compared at places, and between them along the parabola through the offsets at three of them, with
 /// a hundredth on top: the lobes of the difference are some ten places wide, where a parabola errs by
@@ -134,6 +138,7 @@ fn strays(c: &[DVec3], incoming: &Piece, outgoing: &Piece, leg: f64, speed: f64)
     let end = incoming.length();
     let (mut most, mut nearest) = (0.0_f64, f64::INFINITY);
     let mut last = [DVec3::ZERO; 2];
+    let (mut direction, mut heading) = (DVec3::ZERO, DVec3::ZERO);
     for i in 0..=2 * PLACES {
         let t = i as f64 / (2 * PLACES) as f64;
         let (mut point, mut derivative) = (DVec3::ZERO, DVec3::ZERO);
@@ -141,17 +146,28 @@ fn strays(c: &[DVec3], incoming: &Piece, outgoing: &Piece, leg: f64, speed: f64)
             derivative = derivative * t + point;
             point = point * t + *c;
         }
-        if derivative.length() < 0.25 * speed {
+        // Between the ends it should go on as there: it stands where the tangents all but oppose
+        // each other, and bulges where the curvature changes too much for its length.
+        let size = derivative.length();
+        if !(0.25 * speed..=2.0 * speed).contains(&size) {
             return f64::INFINITY;
         }
         // Each half strays from the piece on its side, which cannot be less than from both.
-        let offset = if i <= PLACES {
-            offset(incoming, point, [end - leg, end], end + leg * (2.0 * t - 1.0))
+        let foot = if i <= PLACES {
+            foot(incoming, point, [end - leg, end], end + leg * (2.0 * t - 1.0))
         } else {
-            offset(outgoing, point, [0.0, leg], leg * (2.0 * t - 1.0))
+            foot(outgoing, point, [0.0, leg], leg * (2.0 * t - 1.0))
         };
+        let offset = point - foot.point;
         // The foot jumps from one piece to the other in the middle of a corner.
-        if i >= 2 && i != PLACES + 1 && i != PLACES + 2 {
+        let jumps = i == PLACES + 1;
+        if i >= 1 {
+            let turned = derivative.dot(direction) < SLIGHT * size * direction.length();
+            if turned || !jumps && foot.tangent.dot(heading) < SLIGHT {
+                return f64::INFINITY;
+            }
+        }
+        if i >= 2 && !jumps && i != PLACES + 2 {
             let slope = (offset - last[1]) * 0.5;
             let bend = (offset - last[0] * 2.0 + last[1]) * 0.5;
             for x in [-0.5, -0.25, 0.25, 0.5] {
@@ -159,17 +175,17 @@ fn strays(c: &[DVec3], incoming: &Piece, outgoing: &Piece, leg: f64, speed: f64)
             }
         }
         most = most.max(offset.length());
-        last = [offset, last[0]];
+        (last, direction, heading) = ([offset, last[0]], derivative, foot.tangent);
         // The foot of the joint on the tangent here, where that is near enough to be one.
-        let back = (joint - point).dot(derivative) / derivative.length_squared();
-        let foot = point + derivative * back.clamp(-0.02, 0.02);
-        nearest = nearest.min(joint.distance(foot));
+        let back = (joint - point).dot(derivative) / (size * size);
+        let on = point + derivative * back.clamp(-0.02, 0.02);
+        nearest = nearest.min(joint.distance(on));
     }
     1.01 * most.max(nearest)
 }
 
-/// From the foot on a piece to a point [mm], the foot within a range of lengths and near a guess.
-fn offset(piece: &Piece, point: DVec3, [from, to]: [f64; 2], guess: f64) -> DVec3 {
+/// The foot of a point [mm] on a piece, within a range of lengths and near a guess.
+fn foot(piece: &Piece, point: DVec3, [from, to]: [f64; 2], guess: f64) -> Frame {
     let mut s = guess.clamp(from, to);
     for _ in 0..3 {
         let frame = piece.frame(s);
@@ -179,9 +195,9 @@ fn offset(piece: &Piece, point: DVec3, [from, to]: [f64; 2], guess: f64) -> DVec
         let step = away.dot(frame.tangent) / slope;
         let next = (s + step).clamp(from, to);
         if (next - s).abs() < 1e-9 {
-            break;
+            return frame;
         }
         s = next;
     }
-    point - piece.frame(s).point
+    piece.frame(s)
 }

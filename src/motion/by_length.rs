@@ -180,6 +180,7 @@ impl ByLength {
         let next = next.clamp(1, self.marks.len() - 1);
         let from = &self.marks[next - 1];
         let t = inverse(from, &self.marks[next], s)[0];
+        // Always one step: where their number changed, what they leave would jump.
         let reached = from.s + gauss_legendre(from.t[0], t, &mut |t| self.course.speed(t));
         t + (s - reached) / self.course.speed(t)
     }

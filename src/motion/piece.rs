@@ -82,6 +82,7 @@ impl Piece {
             Self::Curve(curve) => curve.frame(s),
         }
     }
+
     /// The part from one arc length to another [mm]; of a piece that is a part itself, also from
     /// before its start or to beyond its end.
     #[must_use]
