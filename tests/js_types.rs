@@ -16,7 +16,7 @@ use g41::js::{
     Numbering, RECORD_STRIDE, contours_json, diagnostics_json, gouges_json, loops_json,
     transitions_json, uncut_json, violations_json,
 };
-use g41::motion::{Limit, Violation};
+use g41::motion::{Peak, Violations};
 use g41::program::{ContourEnd, ContourStart, ProgrammedContour, RadiusSource};
 use glam::{DVec2, dvec2};
 
@@ -42,7 +42,7 @@ fn samples_of_every_report_are_written_for_tsc() {
     }
     sample(&loops_json(&loops()), "api.PathLoop[]");
     sample(&contours_json(&contours()), "api.ProgrammedContour[]");
-    sample(&violations_json(&broken()), "api.Violation[]");
+    sample(&violations_json(&broken(), 1.5), "api.Violation[]");
     sample(&RECORD_STRIDE.to_string(), "typeof api.RECORD_STRIDE");
 
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("target/js_types");
@@ -106,16 +106,19 @@ fn loops() -> Vec<PathLoop> {
 }
 
 /// Each limit, broken.
-fn broken() -> Vec<Violation> {
-    use Limit::{
-        Acceleration, AxisAcceleration, AxisJerk, AxisVelocity, ChordError, CornerDeviation, End,
-        Feed, Jerk, Velocity,
-    };
-    let violation =
-        |limit| Violation { limit, value: 2.5, allowed: 2.0, time: 0.125, block: 3, samples: 7 };
-    let axes = [AxisVelocity, AxisAcceleration, AxisJerk];
-    let path = [Velocity, Feed, Acceleration, Jerk, CornerDeviation, ChordError, End];
-    axes.into_iter().chain(path).map(violation).collect()
+fn broken() -> Violations {
+    let peak = Peak { value: 2.5, limit: 2.0, time: 0.125 };
+    Violations {
+        velocity: peak,
+        feed: peak,
+        acceleration: peak,
+        jerk: Peak { value: f64::NAN, ..peak },
+        jerk_change: peak,
+        axes: vec![[peak; 3]; 3],
+        deviation: peak,
+        chord_error: peak,
+        end: 1e-3,
+    }
 }
 
 /// Contours with segments of every kind, splines with every end, and every source of a radius.

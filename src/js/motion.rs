@@ -8,9 +8,7 @@ use super::argument::BadArgument;
 use super::report::violations_json;
 use super::tool_path::ToolPathHandle;
 use crate::contour::ToolPath;
-use crate::motion::{
-    AxisLimits, CornerCurve, CurvatureSteps, Limits, LimitsError, Mode, Motion, violations,
-};
+use crate::motion::{AxisLimits, CornerCurve, CurvatureSteps, Limits, LimitsError, Mode, Motion};
 use crate::simulation::{plan_path, tool_changes, widest_deviation};
 
 /// Motion in time; `Motion` of `types.d.ts` holds one.
@@ -81,7 +79,7 @@ impl MotionHandle {
     pub fn violations(&self) -> String {
         let limits =
             Limits { corner_deviation: widest_deviation(&self.path, &self.limits), ..self.limits };
-        violations_json(&violations(&self.motion, &self.path.moves, &limits))
+        violations_json(&self.motion.violations(&self.path.moves, &limits), self.motion.duration)
     }
 
     /// `block`.

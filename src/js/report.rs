@@ -7,7 +7,7 @@ use super::json::{Object, list};
 use super::numbering::{Numbering, Place};
 use crate::contour::{Gouge, GougeKind, PathLoop, Transition, TransitionKind, Uncut};
 use crate::diagnostic::{Diagnostic, Origin, Severity};
-use crate::motion::{Limit, Violation};
+use crate::motion::{Peak, Violations};
 
 /// `Diagnostic[]` of `types.d.ts` as JSON.
 #[must_use]
@@ -109,31 +109,48 @@ pub fn loops_json(loops: &[PathLoop]) -> String {
     })
 }
 
-/// `Violation[]` of `types.d.ts` as JSON.
+/// A limit counts as broken where it is exceeded by this part of it: rounding adds less.
+const SLACK: f64 = 1.0e-6;
+
+/// The end counts as missed from here on [mm].
+const MISSED: f64 = 1.0e-9;
+
+/// `Violation[]` of `types.d.ts` as JSON, of a motion that ends at `duration` [s].
 #[must_use]
-pub fn violations_json(violations: &[Violation]) -> String {
-    list(violations, |object, violation| {
-        let Violation { limit, value, allowed, time, block, samples } = violation;
-        object.text(
-            "limit",
-            match limit {
-                Limit::Velocity => "velocity",
-                Limit::Feed => "feed",
-                Limit::Acceleration => "acceleration",
-                Limit::Jerk => "jerk",
-                Limit::AxisVelocity => "axes.velocity",
-                Limit::AxisAcceleration => "axes.acceleration",
-                Limit::AxisJerk => "axes.jerk",
-                Limit::CornerDeviation => "cornerDeviation",
-                Limit::ChordError => "chordError",
-                Limit::End => "end",
-            },
-        );
-        object.number("value", *value);
-        object.number("allowed", *allowed);
+pub fn violations_json(violations: &Violations, duration: f64) -> String {
+    let Violations {
+        velocity,
+        feed,
+        acceleration,
+        jerk,
+        jerk_change,
+        axes,
+        deviation,
+        chord_error,
+        end,
+    } = violations;
+    let end = Peak { value: *end, limit: MISSED, time: duration };
+    let mut peaks = vec![
+        ("velocity", velocity),
+        ("feed", feed),
+        ("acceleration", acceleration),
+        ("jerk", jerk),
+        ("snap", jerk_change),
+        ("cornerDeviation", deviation),
+        ("chordError", chord_error),
+        ("end", &end),
+    ];
+    for of_axis in axes {
+        let names = ["axes.velocity", "axes.acceleration", "axes.jerk"];
+        peaks.extend(names.into_iter().zip(of_axis));
+    }
+    // What is not a number is broken too.
+    peaks.retain(|(_, peak)| peak.value.is_nan() || peak.ratio() > 1.0 + SLACK);
+    list(peaks, |object, (name, Peak { value, limit, time })| {
+        object.text("limit", name);
+        object.number("value", if value.is_finite() { *value } else { f64::MAX });
+        object.number("allowed", *limit);
         object.number("time", *time);
-        object.number("block", (*block).into());
-        object.number("samples", *samples as f64);
     })
 }
 

@@ -28,4 +28,4 @@ pub use sample::Motion;
 pub use straight::Straight;
 pub use track::{Joint, Placed, Stretch, TrackBuilder, pieces, track};
 pub use unwound::Unwound;
-pub use violations::{Limit, Violation, violations};
+pub use violations::{Peak, Violations};

@@ -1,233 +1,212 @@
-//! The judge of motion: which limits its samples break, by code that shares none with the planner.
+//! Limits judged from the samples and the moves alone, by code that shares nothing with the planner.
 //!
-//! What the samples say of themselves is held against the limits, and so are differences of their
-//! positions. The n-th difference of a motion, divided by the n-th power of the period, is a weighted
-//! mean of its n-th derivative (the weights are those of a B-spline), so it is beyond a limit only
-//! where the derivative is.
+//! Rates are differences of the sampled points, and the channels of the samples where those are
+//! larger. A difference of order n over a period is a mean of the derivative over n periods, so what
+//! stays within its limits never exceeds them here.
 
 use glam::DVec3;
 
 use super::{Limits, Motion};
 use crate::contour::{Move, MoveCurve};
 
-/// What motion may not do.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Limit {
-    /// The velocity of the limits [mm/s].
-    Velocity,
-    /// The programmed feed with its override [mm/s].
-    Feed,
-    /// The size of the acceleration [mm/s²].
-    Acceleration,
-    /// The size of the jerk [mm/s³].
-    Jerk,
-    /// The velocity of an axis [mm/s].
-    AxisVelocity,
-    /// The acceleration of an axis [mm/s²].
-    AxisAcceleration,
-    /// The jerk of an axis [mm/s³].
-    AxisJerk,
-    /// The distance from the path [mm].
-    CornerDeviation,
-    /// The gap between the path and the chord of a period [mm].
-    ChordError,
-    /// The distance of the last sample from the end of the path [mm].
-    End,
-}
+/// How many moves on either side of the one that a sample names are looked at, at most, for the
+/// nearest point.
+const MOST_NEIGHBOURS: usize = 256;
 
-/// How many limits there are.
-const LIMITS: usize = 10;
-
-/// A limit that is broken, where it is broken most.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Violation {
-    /// Which limit.
-    pub limit: Limit,
-    /// The value there, in the limit's unit.
+/// The largest value of something, and its limit.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct Peak {
+    /// The largest value.
     pub value: f64,
-    /// What is allowed there.
-    pub allowed: f64,
-    /// When [s].
+    /// The limit, in the same unit.
+    pub limit: f64,
+    /// When it is reached [s].
     pub time: f64,
-    /// Index of the move.
-    pub block: u32,
-    /// How many samples break it.
-    pub samples: usize,
 }
 
-/// Beyond a limit by this part of it counts as within: what rounding may add.
-const SLACK: f64 = 1.0e-6;
-
-/// Rounding of one coordinate, by its size; a third difference adds eight.
-const ROUNDING: f64 = 4.0 * f64::EPSILON;
-
-/// How near the end of the path motion must end [mm].
-const END: f64 = 1.0e-9;
-
-/// Farther than this from the end of one move to the start of the next the coordinates jump [mm].
-const GAP: f64 = 1.0e-6;
-
-/// Moves on either side of that of a sample that it may be near to: a fitted curve runs past many.
-const REACH: usize = 200;
-
-/// The limits that the samples of a motion break, each once.
-///
-/// `moves` are those that the motion was planned along. A programmed feed that is broken only by a
-/// millionth, or a limit by less than rounding may add, is not.
-#[must_use]
-pub fn violations(motion: &Motion, moves: &[Move], limits: &Limits) -> Vec<Violation> {
-    let mut judge = Judge { motion, found: [None; LIMITS] };
-    for index in 0..motion.len() {
-        judge.channels(index, moves, limits);
-        judge.deviation(index, moves, limits.corner_deviation);
+impl Peak {
+    /// The value over its limit; 0 where there is no limit.
+    #[must_use]
+    pub fn ratio(&self) -> f64 {
+        if self.limit > 0.0 { self.value / self.limit } else { 0.0 }
     }
-    judge.differences(moves, limits);
-    judge.end(moves);
-    judge.found.into_iter().flatten().collect()
+
+    fn meet(&mut self, value: f64, limit: f64, time: f64) {
+        if value * self.limit > self.value * limit || self.limit == 0.0 || value.is_nan() {
+            *self = Self { value, limit, time };
+        }
+    }
 }
 
-struct Judge<'a> {
-    motion: &'a Motion,
-    found: [Option<Violation>; LIMITS],
+/// What a motion asks of the machine, and how far it leaves its path.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub struct Violations {
+    /// Size of the velocity [mm/s].
+    pub velocity: Peak,
+    /// Speed on a move with a feed, beside that feed with the override [mm/s].
+    pub feed: Peak,
+    /// Size of the acceleration [mm/s²].
+    pub acceleration: Peak,
+    /// Size of the jerk [mm/s³].
+    pub jerk: Peak,
+    /// Size of the change of the jerk over a period [mm/s³].
+    pub jerk_change: Peak,
+    /// Velocity, acceleration and jerk of each axis that has limits, from x on.
+    pub axes: Vec<[Peak; 3]>,
+    /// Distance of samples from the programmed path, and of corners from the samples [mm].
+    pub deviation: Peak,
+    /// Gap between the path and the chord of a period [mm].
+    pub chord_error: Peak,
+    /// Distance of the last sample from the end of the last move [mm].
+    pub end: f64,
 }
 
-impl Judge<'_> {
-    /// Takes note of a value that is beyond what is allowed.
-    fn hold(&mut self, limit: Limit, index: usize, value: f64, allowed: f64, slack: f64) {
-        if value <= allowed + slack {
-            return;
+impl Violations {
+    /// The largest of all ratios to limits.
+    #[must_use]
+    pub fn worst(&self) -> f64 {
+        let mut worst = 0.0_f64;
+        let peaks = [
+            self.velocity,
+            self.feed,
+            self.acceleration,
+            self.jerk,
+            self.jerk_change,
+            self.deviation,
+            self.chord_error,
+        ];
+        for peak in peaks.iter().chain(self.axes.iter().flatten()) {
+            worst = worst.max(if peak.value.is_nan() { f64::INFINITY } else { peak.ratio() });
         }
-        // What is not a number is no value that is allowed.
-        let value = if value.is_finite() { value } else { f64::MAX };
-        let place = &mut self.found[limit as usize];
-        let samples = place.map_or(0, |found| found.samples) + 1;
-        match place {
-            Some(found) if found.value * allowed >= value * found.allowed => {
-                found.samples = samples;
+        worst
+    }
+}
+
+impl Motion {
+    /// Judges the motion along moves by its samples.
+    #[must_use]
+    pub fn violations(&self, moves: &[Move], limits: &Limits) -> Violations {
+        let mut found = Violations::default();
+        if limits.axes.is_some() {
+            found.axes = vec![[Peak::default(); 3]; 3];
+        }
+        self.judge_rates(moves, limits, &mut found);
+        self.judge_feed(moves, limits, &mut found);
+        self.judge_path(moves, limits, &mut found);
+        if let (Some(last), false) = (moves.last(), self.is_empty()) {
+            found.end = self.point(self.len() - 1).distance(ends(last)[1]);
+        }
+        found
+    }
+
+    fn judge_rates(&self, moves: &[Move], limits: &Limits, found: &mut Violations) {
+        let period = limits.period;
+        // Differences of orders 0 to 3, the newest of each.
+        let mut last = [DVec3::ZERO; 4];
+        // The first sample since the coordinates jumped.
+        let mut first = 0;
+        for k in 0..self.len() {
+            let time = self.time[k];
+            if k > 0 && jumps(moves, self.block[k - 1], self.block[k]) {
+                first = k;
             }
-            _ => {
-                let (time, block) = (self.motion.time[index], self.motion.block[index]);
-                *place = Some(Violation { limit, value, allowed, time, block, samples });
+            let across = self.normal_acceleration[k];
+            let channels =
+                [self.velocity[k], self.tangential_acceleration[k].hypot(across), self.jerk[k]];
+            let chord = across * period * period / 8.0;
+            found.chord_error.meet(chord, limits.chord_error, time);
+            let sizes = [limits.velocity, limits.acceleration, limits.jerk];
+            let mut rates = [&mut found.velocity, &mut found.acceleration, &mut found.jerk];
+            for ((peak, channel), limit) in rates.iter_mut().zip(channels).zip(sizes) {
+                peak.meet(channel, limit, time);
+            }
+            // The last sample is at the end, and not at a multiple of the period.
+            if k + 1 == self.len() {
+                break;
+            }
+            let before = last;
+            last[0] = self.point(k);
+            for order in 1..4.min(k - first + 1) {
+                last[order] = (last[order - 1] - before[order - 1]) / period;
+                rates[order - 1].meet(last[order].length(), sizes[order - 1], time);
+                if let (Some(axes), [x, y, z]) = (&limits.axes, found.axes.as_mut_slice()) {
+                    let single = [axes.velocity, axes.acceleration, axes.jerk][order - 1];
+                    for (axis, peaks) in [x, y, z].into_iter().enumerate() {
+                        peaks[order - 1].meet(last[order][axis].abs(), single[axis], time);
+                    }
+                }
+            }
+            if k >= first + 2 {
+                // The sagitta of a chord: the second difference across it over 8.
+                let way = last[1].length_squared().max(f64::MIN_POSITIVE);
+                let bend = last[2] - last[1] * (last[2].dot(last[1]) / way);
+                let gap = bend.length() * period * period / 8.0;
+                found.chord_error.meet(gap, limits.chord_error, time);
+            }
+            if k >= first + 4 {
+                let change = (last[3] - before[3]).length();
+                found.jerk_change.meet(change, limits.snap() * period, time);
             }
         }
     }
 
-    /// What a sample says of itself.
-    fn channels(&mut self, index: usize, moves: &[Move], limits: &Limits) {
-        let Motion { velocity, tangential_acceleration, normal_acceleration, jerk, .. } =
-            self.motion;
-        let (velocity, across) = (velocity[index], normal_acceleration[index]);
-        let acceleration = tangential_acceleration[index].hypot(across);
-        let sagitta = across * limits.period * limits.period / 8.0;
-        let mut feed = f64::INFINITY;
-        if let Some(Move { feed: Some(programmed), rapid: false, .. }) =
-            moves.get(self.motion.block[index] as usize)
-        {
-            feed = programmed * limits.feed_override;
-        }
-        for (limit, value, allowed) in [
-            (Limit::Velocity, velocity, limits.velocity),
-            (Limit::Feed, velocity, feed),
-            (Limit::Acceleration, acceleration, limits.acceleration),
-            (Limit::Jerk, jerk[index], limits.jerk),
-            (Limit::ChordError, sagitta, limits.chord_error),
-        ] {
-            self.hold(limit, index, value, allowed, SLACK * allowed);
+    fn judge_feed(&self, moves: &[Move], limits: &Limits, found: &mut Violations) {
+        for k in 0..self.len() {
+            let Some(one) = moves.get(self.block[k] as usize) else { continue };
+            if let Some(feed) = one.feed.filter(|_| !one.rapid) {
+                found.feed.meet(self.velocity[k], feed * limits.feed_override, self.time[k]);
+            }
         }
     }
 
-    /// What differences of positions tell of the derivatives.
-    fn differences(&mut self, moves: &[Move], limits: &Limits) {
-        let motion = self.motion;
-        // The last sample is at the end, which is no multiple of the period.
-        let count = motion.len().saturating_sub(1);
-        // First, second and third difference up to the sample before, and how many are known.
-        let (mut last, mut known) = ([DVec3::ZERO; 4], 0);
-        for index in 0..count {
-            let point = motion.point(index);
-            if index > 0 && jumps(moves, motion.block[index - 1], motion.block[index]) {
-                known = 0;
-            }
-            let mut now = [point; 4];
-            for order in 1..4 {
-                now[order] = now[order - 1] - last[order - 1];
-            }
-            let mut power = 1.0;
-            for (order, (limit, most)) in [
-                (Limit::Velocity, limits.velocity),
-                (Limit::Acceleration, limits.acceleration),
-                (Limit::Jerk, limits.jerk),
-            ]
-            .into_iter()
-            .enumerate()
-            {
-                power *= limits.period;
-                if known <= order {
+    fn judge_path(&self, moves: &[Move], limits: &Limits, found: &mut Violations) {
+        let Some(most) = moves.len().checked_sub(1) else { return };
+        // What rounding leaves of a path that is kept exactly.
+        let limit = limits.corner_deviation.max(1.0e-6);
+        for k in 0..self.len() {
+            let (point, block) = (self.point(k), (self.block[k] as usize).min(most));
+            let mut near = distance(&moves[block], point);
+            for step in 1..=MOST_NEIGHBOURS {
+                if near <= limit || step > most {
                     break;
                 }
-                let noise = 8.0 * ROUNDING * point.length() / power;
-                let derivative = now[order + 1] / power;
-                self.hold(limit, index, derivative.length(), most, SLACK * most + noise);
-                let Some(axes) = &limits.axes else { continue };
-                let (limit, most) = match order {
-                    0 => (Limit::AxisVelocity, axes.velocity),
-                    1 => (Limit::AxisAcceleration, axes.acceleration),
-                    _ => (Limit::AxisJerk, axes.jerk),
-                };
-                for axis in 0..3 {
-                    let allowed = most[axis];
-                    let value = derivative[axis].abs();
-                    self.hold(limit, index, value, allowed, SLACK * allowed + noise);
+                near = near.min(distance(&moves[block.saturating_sub(step)], point));
+                near = near.min(distance(&moves[(block + step).min(most)], point));
+            }
+            found.deviation.meet(near, limit, self.time[k]);
+        }
+        // The samples that pass each corner are those of both of its moves.
+        let mut from = 0;
+        for (index, one) in moves.iter().enumerate() {
+            while from < self.len() && (self.block[from] as usize) < index {
+                from += 1;
+            }
+            let corner = ends(one)[1];
+            let mut near = f64::INFINITY;
+            let mut time = 0.0;
+            for k in from.saturating_sub(1)..self.len().saturating_sub(1) {
+                let here = to_line(self.point(k), self.point(k + 1), corner);
+                if here < near {
+                    (near, time) = (here, self.time[k]);
+                }
+                if self.block[k] as usize > index + 1 && near <= limit
+                    || self.block[k] as usize > index + MOST_NEIGHBOURS
+                {
+                    break;
                 }
             }
-            last = now;
-            known += 1;
-        }
-    }
-
-    /// How far a sample is from the path.
-    fn deviation(&mut self, index: usize, moves: &[Move], allowed: f64) {
-        let block = self.motion.block[index] as usize;
-        let point = self.motion.point(index);
-        let slack = SLACK * allowed + END;
-        let mut least = f64::INFINITY;
-        for step in 0..=2 * REACH {
-            // The move itself, then by turns those before and after it.
-            let other =
-                if step % 2 == 0 { block + step / 2 } else { block.wrapping_sub(step / 2 + 1) };
-            if let Some(one) = moves.get(other) {
-                least = least.min(distance(one, point));
-            }
-            if least <= allowed + slack {
-                return;
+            if near.is_finite() {
+                found.deviation.meet(near, limit + limits.chord_error, time);
             }
         }
-        // Between two pieces of a path it is on no move.
-        let starts =
-            block.checked_sub(1).and_then(|before| moves.get(before)).zip(moves.get(block));
-        if let Some((before, one)) = starts {
-            least = least.min(to_line(point, end_of(before), start_of(one)));
-        }
-        self.hold(Limit::CornerDeviation, index, least, allowed, slack);
-    }
-
-    /// Where the motion ends.
-    fn end(&mut self, moves: &[Move]) {
-        let (Some(last), Some(index)) = (moves.last(), self.motion.len().checked_sub(1)) else {
-            return;
-        };
-        let away = self.motion.point(index).distance(end_of(last));
-        self.hold(Limit::End, index, away, END, 0.0);
-        self.hold(Limit::Velocity, index, self.motion.velocity[index], 0.0, SLACK);
     }
 }
 
-/// Whether a move between two starts elsewhere than the one before it ends.
+/// Whether a move between two begins elsewhere than the one before it ends, by more than rounding.
 fn jumps(moves: &[Move], from: u32, to: u32) -> bool {
-    for index in from..to {
-        if let (Some(before), Some(one)) =
-            (moves.get(index as usize), moves.get(index as usize + 1))
-            && end_of(before).distance(start_of(one)) > GAP
+    for index in from as usize..to as usize {
+        if let (Some(before), Some(one)) = (moves.get(index), moves.get(index + 1))
+            && ends(before)[1].distance(ends(one)[0]) > 1.0e-6
         {
             return true;
         }
@@ -235,33 +214,36 @@ fn jumps(moves: &[Move], from: u32, to: u32) -> bool {
     false
 }
 
-fn start_of(one: &Move) -> DVec3 {
-    one.plane.place(one.curve.start(), one.heights[0])
+/// Where a move begins and ends [mm].
+fn ends(one: &Move) -> [DVec3; 2] {
+    [
+        one.plane.place(one.curve.start(), one.heights[0]),
+        one.plane.place(one.curve.end(), one.heights[1]),
+    ]
 }
 
-fn end_of(one: &Move) -> DVec3 {
-    one.plane.place(one.curve.end(), one.heights[1])
+/// The distance of a point from a straight line between two others [mm].
+fn to_line(start: DVec3, end: DVec3, point: DVec3) -> f64 {
+    let along = end - start;
+    let square = along.length_squared();
+    let t = if square > 0.0 { ((point - start).dot(along) / square).clamp(0.0, 1.0) } else { 0.0 };
+    point.distance(start + along * t)
 }
 
-/// The distance of a point from a move; on a helix that of the point beside it, which is no nearer.
+/// The distance of a point from a move [mm]; on a move that climbs along a bend, from the point that
+/// is nearest in its plane.
 fn distance(one: &Move, point: DVec3) -> f64 {
     match &one.curve {
-        MoveCurve::Line(_) | MoveCurve::Vertical(_) => to_line(point, start_of(one), end_of(one)),
+        MoveCurve::Line(_) | MoveCurve::Vertical(_) => {
+            let [start, end] = ends(one);
+            to_line(start, end, point)
+        }
         curve => {
-            let [first, second] = one.heights;
-            let (flat, _) = one.plane.split(point);
+            let (flat, height) = one.plane.split(point);
             let nearest = curve.nearest(flat);
-            let height = first + (second - first) * nearest.t;
-            one.plane.place(nearest.point, height).distance(point)
+            let [low, high] = one.heights;
+            let climbed = low + (high - low) * nearest.t;
+            nearest.point.distance(flat).hypot(height - climbed)
         }
     }
-}
-
-/// The distance of a point from the straight line between two.
-fn to_line(point: DVec3, from: DVec3, to: DVec3) -> f64 {
-    let along = to - from;
-    let part = (point - from).dot(along) / along.length_squared();
-    // Where both ends are one point this is not a number, and the start is as good as any.
-    let part = if part > 0.0 { part.min(1.0) } else { 0.0 };
-    point.distance(from + along * part)
 }

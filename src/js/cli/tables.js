@@ -69,13 +69,12 @@ export function* planText(name, { duration, tools, blocks, costs, violations }, 
   if (violations.length > 0) {
     yield `\nlimits broken:\n`;
     yield table(
-      ["limit", "reached", "allowed", "at", "samples"],
-      violations.map(({ limit, value, allowed, time, samples }) => [
+      ["limit", "reached", "allowed", "at"],
+      violations.map(({ limit, value, allowed, time }) => [
         limit,
         String(Number(value.toPrecision(4))),
         String(Number(allowed.toPrecision(4))),
         clock(time),
-        fixed(samples, 0),
       ]),
     ).slice(1);
   }

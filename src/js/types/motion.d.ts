@@ -63,13 +63,14 @@ export interface ToolTime {
 export interface Violation {
   /**
    * Which limit: one of `Limits`, the programmed `"feed"`, one of an axis, or the `"end"` of the path, which
-   * motion misses.
+   * motion misses. That of `"snap"` is told as the change of the jerk over a period [mm/s³].
    */
   limit:
     | "velocity"
     | "feed"
     | "acceleration"
     | "jerk"
+    | "snap"
     | "axes.velocity"
     | "axes.acceleration"
     | "axes.jerk"
@@ -82,10 +83,6 @@ export interface Violation {
   allowed: number;
   /** When [s]. */
   time: number;
-  /** The move, an index into `moves` of the path. */
-  block: number;
-  /** How many samples break the limit. */
-  samples: number;
 }
 
 /**

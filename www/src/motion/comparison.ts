@@ -73,6 +73,7 @@ const NAMES: Readonly<Record<Violation["limit"], string>> = {
   feed: "feed",
   acceleration: "acceleration",
   jerk: "jerk",
+  snap: "jerk by steps",
   "axes.velocity": "velocity of an axis",
   "axes.acceleration": "acceleration of an axis",
   "axes.jerk": "jerk of an axis",
