@@ -85,13 +85,13 @@ impl Corner {
     /// leave 3e-16 of the length for degree 13, whose parameter is almost the arc length itself.
     #[must_use]
     pub fn frame(&self, s: f64) -> Frame {
-        let length = self.shape.along(1.0);
+        let (root, length) = (self.shape.root(), self.shape.along(1.0));
         // Twice the distance from the middle over the scale; over the length it is x, almost.
         let whole: f64 = length.iter().sum();
         let wanted = 2.0 * (self.from + s) / self.scale - whole;
         let mut x = wanted / whole;
         for _ in 0..self.shape.curve.family().steps {
-            let step = (x * value(&length, x * x) - wanted) / self.shape.speed(x);
+            let step = (x * value(&length, x * x) - wanted) / root.speed(x);
             x = (x - step).clamp(-1.1, 1.1);
             if step.abs() < 1e-16 {
                 break;
@@ -102,7 +102,7 @@ impl Corner {
             0.5 * self.scale * x * (value(&length, y) - value(&self.shape.behind(), y)),
             self.scale * self.shape.sin * y * value(&self.shape.across(), y),
         ];
-        let ([cos, sin], curvature, sharpness) = self.shape.bend(x);
+        let ([cos, sin], curvature, sharpness) = root.bend(x);
         let tangent = self.along * cos + self.across * sin;
         let normal = self.across * cos - self.along * sin;
         let curvature = curvature / self.scale;

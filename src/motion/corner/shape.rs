@@ -17,12 +17,14 @@ pub struct CornerShape {
     pub(super) sin: f64,
     /// Cosine of half the turn.
     pub(super) half_cos: f64,
+    /// `e`: 1 − C where the middle of the curve is free, else 0.
+    free: f64,
 }
 
-/// The tangential and the cross-wise values of `w` and its derivatives by `x`.
-struct Root {
-    even: [f64; 3],
-    odd: [f64; 3],
+/// `w` of one turn: coefficients of `u` by powers of `y`, and of `v/x`.
+pub(super) struct Root {
+    even: [f64; 4],
+    odd: [f64; 4],
 }
 
 impl CornerShape {
@@ -38,7 +40,9 @@ impl CornerShape {
         let (half_cos, half_sin) = (sum / unit, difference / unit);
         let cos = (0.5 * (1.0 + half_cos)).sqrt();
         // Below this the legs are longer than any machine, 1e8 times the curve's scale.
-        (half_cos > 1e-8).then(|| Self { curve, cos, sin: half_sin / (2.0 * cos), half_cos })
+        let sin = half_sin / (2.0 * cos);
+        let free = if curve == CornerCurve::Ph13 { sin * sin / (1.0 + cos) } else { 0.0 };
+        (half_cos > 1e-8).then_some(Self { curve, cos, sin, half_cos, free })
     }
 
     /// Which curve it is.
@@ -79,7 +83,7 @@ impl CornerShape {
     #[must_use]
     pub fn largest_curvature(&self) -> f64 {
         let family = self.curve.family();
-        let middle = self.cos * family.even[0] + self.free() * family.middle[0];
+        let middle = self.cos * family.even[0] + self.free * family.middle[0];
         4.0 * self.sin * family.odd[0] / (middle * middle * middle)
     }
 
@@ -109,18 +113,12 @@ impl CornerShape {
         self.sampled(|curvature, sharpness| (curvature * curvature).hypot(sharpness))
     }
 
-    /// `e`: 1 − C where the middle of the curve is free, else 0.
-    fn free(&self) -> f64 {
-        if self.curve == CornerCurve::Ph13 { self.sin * self.sin / (1.0 + self.cos) } else { 0.0 }
-    }
-
     /// Arc length (with `sign` 1) or progress along the tangent of the middle (with −1), both from
     /// the middle, over `x/2`: `∫ (u² ± v²) dx`.
     pub(super) fn along(&self, sign: f64) -> Series {
         let [even, both, middle, odd] = &self.curve.family().squares;
-        let free = self.free();
-        let factors =
-            [self.cos * self.cos, 2.0 * self.cos * free, free * free, sign * self.sin * self.sin];
+        let Self { cos, sin, free, .. } = *self;
+        let factors = [cos * cos, 2.0 * cos * free, free * free, sign * sin * sin];
         let mut sum = [0.0; 7];
         for (k, sum) in sum.iter_mut().enumerate() {
             *sum = factors[0] * even[k]
@@ -143,53 +141,47 @@ impl CornerShape {
     /// How far the curve has bent away from the tangent of its middle, over `S y`: `∫ u v dx`.
     pub(super) fn across(&self) -> Series {
         let [even, middle] = &self.curve.family().across;
-        let free = self.free();
         let mut sum = [0.0; 7];
         for (k, sum) in sum.iter_mut().enumerate() {
-            *sum = self.cos * even[k] + free * middle[k];
+            *sum = self.cos * even[k] + self.free * middle[k];
         }
         sum
     }
 
-    /// `w` at `x`.
-    fn root(&self, x: f64) -> Root {
+    /// Its `w`.
+    pub(super) fn root(&self) -> Root {
         let family = self.curve.family();
-        let (y, free) = (x * x, self.free());
-        let mut even = [0.0; 3];
-        let mut odd = [0.0; 3];
-        // Horner's scheme for a polynomial and its derivatives by y, the second halved; the
-        // polynomials have four terms at most.
-        for k in (0..4).rev() {
-            let c = self.cos * family.even[k] + free * family.middle[k];
-            even[2] = even[2] * y + even[1];
-            even[1] = even[1] * y + even[0];
-            even[0] = even[0] * y + c;
-            odd[2] = odd[2] * y + odd[1];
-            odd[1] = odd[1] * y + odd[0];
-            odd[0] = odd[0] * y + family.odd[k];
+        let (mut even, mut odd) = ([0.0; 4], [0.0; 4]);
+        for k in 0..4 {
+            even[k] = self.cos * family.even[k] + self.free * family.middle[k];
+            odd[k] = self.sin * family.odd[k];
         }
-        // By x: p(y)' = 2 x p', p'' = 2 p' + 4 y p''; x p has p + 2 y p' and x (6 p' + 4 y p'').
-        Root {
-            even: [even[0], 2.0 * x * even[1], 2.0 * even[1] + 8.0 * y * even[2]],
-            odd: [
-                self.sin * x * odd[0],
-                self.sin * (odd[0] + 2.0 * y * odd[1]),
-                self.sin * x * (6.0 * odd[1] + 8.0 * y * odd[2]),
-            ],
-        }
+        Root { even, odd }
     }
 
+    /// The greatest value of curvature and its derivative over the curve.
+    fn sampled(&self, value: fn(f64, f64) -> f64) -> f64 {
+        let root = self.root();
+        let mut greatest = 0.0_f64;
+        for i in 0..=96 {
+            // The curve is symmetric.
+            let (_, curvature, sharpness) = root.bend(f64::from(i) / 96.0);
+            greatest = greatest.max(value(curvature, sharpness));
+        }
+        1.002 * greatest
+    }
+}
+
+impl Root {
     /// Parametric speed at `x` [mm].
     pub(super) fn speed(&self, x: f64) -> f64 {
-        let family = self.curve.family();
-        let (y, free) = (x * x, self.free());
+        let y = x * x;
         let (mut even, mut odd) = (0.0, 0.0);
         for k in (0..4).rev() {
-            even = even * y + (self.cos * family.even[k] + free * family.middle[k]);
-            odd = odd * y + family.odd[k];
+            even = even * y + self.even[k];
+            odd = odd * y + self.odd[k];
         }
-        odd *= self.sin * x;
-        even * even + odd * odd
+        even * even + odd * odd * y
     }
 
     /// Direction as cosine and sine against the tangent of the middle, curvature [1/mm] and its
@@ -199,22 +191,25 @@ impl CornerShape {
     /// `K = u v' − u' v` and `σ = u² + v²` the curvature is `4 K/σ²`, and its derivative
     /// `8 (K' σ − 2 K σ')/σ⁴`.
     pub(super) fn bend(&self, x: f64) -> ([f64; 2], f64, f64) {
-        let Root { even: [u, du, ddu], odd: [v, dv, ddv] } = self.root(x);
-        let speed = u * u + v * v;
-        let (turning, change) = (u * dv - du * v, u * ddv - ddu * v);
-        let square = speed * speed;
-        let sharpness = (change * speed - 4.0 * turning * (u * du + v * dv)) / (square * square);
-        ([(u * u - v * v) / speed, 2.0 * u * v / speed], 4.0 * turning / square, 8.0 * sharpness)
-    }
-
-    /// The greatest value of curvature and its derivative over the curve.
-    fn sampled(&self, value: fn(f64, f64) -> f64) -> f64 {
-        let mut greatest = 0.0_f64;
-        for i in 0..=96 {
-            // The curve is symmetric.
-            let (_, curvature, sharpness) = self.bend(f64::from(i) / 96.0);
-            greatest = greatest.max(value(curvature, sharpness));
+        let y = x * x;
+        // Horner's scheme for both polynomials and their derivatives by y, the second halved.
+        let (mut even, mut odd) = ([0.0; 3], [0.0; 3]);
+        for k in (0..4).rev() {
+            for (values, coefficient) in [(&mut even, self.even[k]), (&mut odd, self.odd[k])] {
+                values[2] = values[2] * y + values[1];
+                values[1] = values[1] * y + values[0];
+                values[0] = values[0] * y + coefficient;
+            }
         }
-        1.002 * greatest
+        // By x: p(y)' = 2 x p', p'' = 2 p' + 4 y p''; x p has p + 2 y p' and x (6 p' + 4 y p'').
+        let [u, du, ddu] = [even[0], 2.0 * x * even[1], 2.0 * even[1] + 8.0 * y * even[2]];
+        let [v, dv, ddv] =
+            [x * odd[0], odd[0] + 2.0 * y * odd[1], x * (6.0 * odd[1] + 8.0 * y * odd[2])];
+        let inverse = 1.0 / (u * u + v * v);
+        let square = inverse * inverse;
+        let (turning, change) = (u * dv - du * v, u * ddv - ddu * v);
+        let sharpness = change - 4.0 * inverse * turning * (u * du + v * dv);
+        let direction = [(u * u - v * v) * inverse, 2.0 * u * v * inverse];
+        (direction, 4.0 * turning * square, 8.0 * sharpness * square * inverse)
     }
 }
