@@ -39,12 +39,22 @@ pub(super) const SHARPEST: f64 = 0.087;
 const OF_CURVATURE: f64 = 0.001_887;
 const OF_SHARPNESS: f64 = 0.000_651_1;
 
+/// Most lengths of leg that are tried; each that is too long makes the next at least 2 % shorter, and
+/// most joints take one or two.
+const TRIALS: usize = 16;
+
+/// Legs shorter than this are not worth a curve [mm].
+const LEAST_LEG: f64 = 1e-6;
+
 /// Places at which a blend is compared with what it replaces, in each half.
 const PLACES: usize = 16;
 
 /// Cosine of the turn from one place to the next, 25°, that is still slight: corners of 170° turn by
 /// 10°, and an arc that a leg takes a radian of by 4°.
 const SLIGHT: f64 = 0.9;
+
+/// Cosine of about a radian: a leg that turns by more says little about the joint.
+const RADIAN: f64 = 0.5;
 
 impl Rough {
     /// The joint from the end of one piece to the start of another; `None` where it all but goes back.
@@ -64,9 +74,6 @@ impl Rough {
             let excess = leg * (a + leg * (b + leg * c)) - deviation;
             leg -= excess / (a + leg * (2.0 * b + leg * 3.0 * c)).max(f64::MIN_POSITIVE);
         }
-        // Beyond about a radian of either piece its end says little about its course.
-        let bend = start.curvature.length().max(end.curvature.length());
-        let leg = leg.min(1.0 / bend).min(1e6);
         Some(Self { shape, leg, by_turn: a * leg > 0.5 * deviation })
     }
 
@@ -80,23 +87,35 @@ impl Rough {
         deviation: f64,
     ) -> Option<Blend> {
         let mut leg = self.leg.min(most);
-        for _ in 0..12 {
-            if leg < 1e-6 {
-                return None;
+        let mut best = None;
+        for _ in 0..TRIALS {
+            if leg < LEAST_LEG {
+                break;
             }
             let speed = leg / self.shape.leg();
             let from = incoming.length() - leg;
             let coefficients = septic(&incoming.frame(from), &outgoing.frame(leg), speed);
             let found = strays(&coefficients, incoming, outgoing, leg, speed);
-            if found <= deviation {
-                let piece = Piece::Curve(Box::new(ByLength::of_polynomial(coefficients)));
-                return Some(Blend { piece, leg });
-            }
             let ratio = deviation / found;
             let ratio = if self.by_turn { ratio } else { ratio.sqrt() };
-            leg *= (0.98 * ratio).clamp(0.3, 0.98);
+            if found <= deviation {
+                let shrunk = best.is_none() && leg < self.leg.min(most);
+                best = Some((coefficients, leg));
+                // A curvature that changes fast makes the estimate far too small.
+                if shrunk || leg >= most || found > 0.5 * deviation {
+                    break;
+                }
+                leg = (leg * (0.95 * ratio).min(4.0)).min(most);
+            } else if best.is_some() {
+                break;
+            } else {
+                leg *= (0.98 * ratio).clamp(0.3, 0.98);
+            }
         }
-        None
+        best.map(|(coefficients, leg)| Blend {
+            piece: Piece::Curve(Box::new(ByLength::of_polynomial(coefficients))),
+            leg,
+        })
     }
 }
 
@@ -136,6 +155,7 @@ fn septic(start: &Frame, end: &Frame, speed: f64) -> Vec<DVec3> {
 fn strays(c: &[DVec3], incoming: &Piece, outgoing: &Piece, leg: f64, speed: f64) -> f64 {
     let joint = outgoing.frame(0.0).point;
     let end = incoming.length();
+    let ends = [incoming.frame(end).tangent, outgoing.frame(0.0).tangent];
     let (mut most, mut nearest) = (0.0_f64, f64::INFINITY);
     let mut last = [DVec3::ZERO; 2];
     let (mut direction, mut heading) = (DVec3::ZERO, DVec3::ZERO);
@@ -163,7 +183,8 @@ fn strays(c: &[DVec3], incoming: &Piece, outgoing: &Piece, leg: f64, speed: f64)
         let jumps = i == PLACES + 1;
         if i >= 1 {
             let turned = derivative.dot(direction) < SLIGHT * size * direction.length();
-            if turned || !jumps && foot.tangent.dot(heading) < SLIGHT {
+            let leads = foot.tangent.dot(ends[usize::from(i > PLACES)]) > RADIAN;
+            if turned || !leads || !jumps && foot.tangent.dot(heading) < SLIGHT {
                 return f64::INFINITY;
             }
         }

@@ -5,5 +5,6 @@ mod common;
 
 mod corners;
 mod interpolation;
+mod involutes;
 mod lengths;
 mod tracks;
