@@ -116,6 +116,7 @@ fn limits_of(numbers: &[f64]) -> Limits {
             _ => CornerCurve::Ph5,
         },
         exact_stop: at(11) > 0.0,
+        fit: true,
         axes: (numbers.len() > 12).then(|| AxisLimits {
             velocity: three(12),
             acceleration: three(15),

@@ -69,6 +69,10 @@ pub struct Limits {
     pub corner: CornerCurve,
     /// Stop at the end of each block (G61) instead of rounding corners (G64).
     pub exact_stop: bool,
+    /// Fit curves to runs of straight moves, within the corner deviation: a path of short moves is
+    /// slow without (COMPCAD and COMPOF of other controls). Without, and in textbook mode, corners are
+    /// rounded one by one.
+    pub fit: bool,
 }
 
 impl Default for Limits {
@@ -88,6 +92,7 @@ impl Default for Limits {
             curvature_steps: CurvatureSteps::Round,
             corner: CornerCurve::Ph13,
             exact_stop: false,
+            fit: true,
         }
     }
 }

@@ -5,11 +5,13 @@
 mod blend;
 mod by_length;
 mod corner;
+mod fit;
 mod helix;
 mod interpolation;
 mod limits;
 mod piece;
 mod plan;
+mod quintic;
 mod sample;
 mod speed;
 mod straight;
@@ -19,11 +21,13 @@ mod violations;
 
 pub use by_length::ByLength;
 pub use corner::{Corner, CornerCurve, CornerShape};
+pub use fit::{Fitted, Fitter};
 pub use helix::Helix;
 pub use interpolation::{StepRule, interpolate};
 pub use limits::{AxisLimits, CurvatureSteps, Limits, LimitsError, Mode};
 pub use piece::{Frame, Piece};
 pub use plan::{Planner, plan};
+pub use quintic::Quintic;
 pub use sample::Motion;
 pub use straight::Straight;
 pub use track::{Joint, Placed, Stretch, TrackBuilder, pieces, track};

@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{ByLength, Corner, Helix, Straight, Unwound};
+use super::{ByLength, Corner, Helix, Quintic, Straight, Unwound};
 
 /// Where a curve is at an arc length, and its derivatives by arc length there.
 ///
@@ -55,6 +55,8 @@ pub enum Piece {
     Corner(Corner),
     /// A curve whose arc length is measured.
     Curve(Box<ByLength>),
+    /// A polynomial of degree five, as fitted to dense blocks.
+    Quintic(Box<Quintic>),
 }
 
 impl Piece {
@@ -67,6 +69,7 @@ impl Piece {
             Self::Unwound(unwound) => unwound.length,
             Self::Corner(corner) => corner.length,
             Self::Curve(curve) => curve.length,
+            Self::Quintic(quintic) => quintic.length,
         }
     }
 
@@ -80,6 +83,7 @@ impl Piece {
             Self::Unwound(unwound) => unwound.frame(s),
             Self::Corner(corner) => corner.frame(s),
             Self::Curve(curve) => curve.frame(s),
+            Self::Quintic(quintic) => quintic.frame(s),
         }
     }
 
@@ -93,6 +97,7 @@ impl Piece {
             Self::Unwound(unwound) => Self::Unwound(unwound.part(from, to)),
             Self::Corner(corner) => Self::Corner(corner.part(from, to)),
             Self::Curve(curve) => Self::Curve(Box::new(curve.part(from, to))),
+            Self::Quintic(quintic) => Self::Quintic(Box::new(quintic.part(from, to))),
         }
     }
 }

@@ -9,8 +9,8 @@ use glam::DVec3;
 
 use super::blend::{Rough, SHARPEST};
 use super::{
-    ByLength, Corner, CornerCurve, CornerShape, CurvatureSteps, Frame, Helix, Limits, Piece,
-    Straight, Unwound,
+    ByLength, Corner, CornerCurve, CornerShape, CurvatureSteps, Fitted, Fitter, Frame, Helix,
+    Limits, Mode, Piece, Straight, Unwound,
 };
 use crate::contour::{Move, MoveCurve};
 
@@ -36,6 +36,7 @@ pub struct Placed {
     /// The curve.
     pub piece: Piece,
     /// Number of the move it comes from, counted from 0; a rounded corner counts to the incoming one.
+    /// Of a fitted piece, the first: see [`block_at`](Self::block_at).
     pub block: u32,
     /// Programmed feed [mm/s]; infinite for a rapid move and where none is programmed.
     pub feed: f64,
@@ -45,6 +46,8 @@ pub struct Placed {
     pub end: Joint,
     /// What a blend stands for.
     legs: Option<Box<[Piece; 2]>>,
+    /// Of a fitted piece, where on it each of its moves ends [mm] (on the last one, or after).
+    ends: Vec<(f64, u32)>,
 }
 
 impl Placed {
@@ -52,6 +55,13 @@ impl Placed {
     #[must_use]
     pub fn is_corner(&self) -> bool {
         self.legs.is_some() || matches!(self.piece, Piece::Corner(_))
+    }
+
+    /// Number of the move that the piece follows at the arc length `s` [mm].
+    #[must_use]
+    pub fn block_at(&self, s: f64) -> u32 {
+        let next = self.ends.partition_point(|(end, _)| *end < s);
+        self.ends.get(next).or(self.ends.last()).map_or(self.block, |(_, block)| *block)
     }
 
     /// The two legs that a rounded corner stands for, in whose place the tool may stop between them.
@@ -83,6 +93,8 @@ pub struct TrackBuilder {
     corner: CornerCurve,
     steps: CurvatureSteps,
     exact_stop: bool,
+    /// Whether straight moves are fitted.
+    fits: bool,
     block: u32,
     /// Whether the tool rests before the next move.
     rests: bool,
@@ -94,6 +106,9 @@ pub struct TrackBuilder {
     outgoing: Option<Stretch>,
     /// The last piece made, whose end is not yet told.
     last: Option<Placed>,
+    /// Straight moves on their way, where they are fitted, and what has become of them.
+    fitter: Option<Fitter>,
+    fitted: Vec<Fitted>,
 }
 
 /// A whole piece of a move on its way.
@@ -111,13 +126,26 @@ pub struct Stretch {
     pub rests: bool,
     /// What the joint before it has taken [mm].
     taken: f64,
+    /// How far it may be from the moves that it stands for [mm].
+    off: f64,
+    /// Where each of them ends on it [mm], if they are several.
+    ends: Vec<(f64, u32)>,
 }
 
 impl Stretch {
     /// A piece of a move.
     #[must_use]
     pub fn new(piece: Piece, block: u32, feed: f64) -> Self {
-        Self { piece, block, feed, rapid: false, rests: false, taken: 0.0 }
+        Self {
+            piece,
+            block,
+            feed,
+            rapid: false,
+            rests: false,
+            taken: 0.0,
+            off: 0.0,
+            ends: Vec::new(),
+        }
     }
 }
 
@@ -148,6 +176,10 @@ impl TrackBuilder {
             corner: limits.corner,
             steps: limits.curvature_steps,
             exact_stop: limits.exact_stop,
+            fits: limits.fit
+                && limits.mode == Mode::Fast
+                && !limits.exact_stop
+                && limits.corner_deviation > 0.0,
             block: 0,
             rests: false,
             end: None,
@@ -155,6 +187,8 @@ impl TrackBuilder {
             meets: Meeting::As(Joint::Stop),
             outgoing: None,
             last: None,
+            fitter: None,
+            fitted: Vec::new(),
         }
     }
 
@@ -163,11 +197,52 @@ impl TrackBuilder {
         let block = self.block;
         self.block += 1;
         let feed = one.feed.filter(|_| !one.rapid).unwrap_or(f64::INFINITY);
+        let is_line = matches!(one.curve, MoveCurve::Line(_) | MoveCurve::Vertical(_));
+        let fits = self.fits && is_line && !one.rapid;
+        let from = one.plane.place(one.curve.start(), one.heights[0]);
+        if self.rests || !fits || !self.fitter.as_ref().is_some_and(|fitter| fitter.is_at(from)) {
+            let rests = std::mem::take(&mut self.rests);
+            self.end_fit(track);
+            self.rests |= rests;
+        }
+        if fits {
+            let deviation = self.deviation;
+            let fitter = self.fitter.get_or_insert_with(|| Fitter::new(from, deviation));
+            let to = one.plane.place(one.curve.end(), one.heights[1]);
+            fitter.line(to, block, feed, &mut self.fitted);
+            self.take_fitted(track);
+            return;
+        }
         for piece in pieces(one) {
             let mut stretch = Stretch::new(piece, block, feed);
             stretch.rapid = one.rapid;
             self.push_stretch(stretch, track);
         }
+    }
+
+    /// Ends the run of straight moves that are fitted.
+    fn end_fit(&mut self, track: &mut Vec<Placed>) {
+        if let Some(mut fitter) = self.fitter.take() {
+            let rests = std::mem::take(&mut self.rests);
+            fitter.finish(&mut self.fitted);
+            self.take_fitted(track);
+            self.rests = rests;
+        }
+    }
+
+    /// Takes the pieces that have been fitted.
+    fn take_fitted(&mut self, track: &mut Vec<Placed>) {
+        let mut fitted = std::mem::take(&mut self.fitted);
+        for one in fitted.drain(..) {
+            let block = one.blocks.first().map_or(0, |(_, block)| *block);
+            let mut stretch = Stretch::new(one.piece, block, one.feed);
+            stretch.off = one.off;
+            if one.blocks.len() > 1 {
+                stretch.ends = one.blocks;
+            }
+            self.push_stretch(stretch, track);
+        }
+        self.fitted = fitted;
     }
 
     /// Lets the tool rest before the next move.
@@ -204,6 +279,8 @@ impl TrackBuilder {
                 rapid: true,
                 rests: true,
                 taken: 0.0,
+                off: 0.0,
+                ends: Vec::new(),
             };
             stretch.rests = true;
             self.take(between, track);
@@ -214,6 +291,7 @@ impl TrackBuilder {
 
     /// Ends the track at rest, and hands out what is left of it.
     pub fn finish(&mut self, track: &mut Vec<Placed>) {
+        self.end_fit(track);
         if self.outgoing.is_some() {
             self.resolve(0.0, track);
         }
@@ -240,6 +318,7 @@ impl TrackBuilder {
 
     /// How a piece meets the next.
     fn meeting(&self, before: &Stretch, next: &Stretch) -> Meeting {
+        let deviation = self.deviation - before.off.max(next.off);
         if next.rests || self.exact_stop {
             return Meeting::As(Joint::Stop);
         }
@@ -252,8 +331,8 @@ impl TrackBuilder {
         let is_turn = joint == Joint::Stop;
         if is_turn && let (Piece::Straight(_), Piece::Straight(_)) = (&before.piece, &next.piece) {
             return match CornerShape::between(self.corner, end.tangent, start.tangent) {
-                Some(shape) if self.deviation > 0.0 && shape.half_cosine() >= SHARPEST => {
-                    Meeting::Lines(shape, self.deviation * (shape.leg() / shape.deviation()))
+                Some(shape) if deviation > 0.0 && shape.half_cosine() >= SHARPEST => {
+                    Meeting::Lines(shape, deviation * (shape.leg() / shape.deviation()))
                 }
                 _ => Meeting::As(Joint::Stop),
             };
@@ -262,10 +341,10 @@ impl TrackBuilder {
             CurvatureSteps::Stop if is_step_of_curvature(&joint) => Joint::Stop,
             _ => joint,
         };
-        if !is_turn && self.steps != CurvatureSteps::Round || self.deviation <= 0.0 {
+        if !is_turn && self.steps != CurvatureSteps::Round || deviation <= 0.0 {
             return Meeting::As(kept);
         }
-        match Rough::of(&end, &start, self.deviation) {
+        match Rough::of(&end, &start, deviation) {
             Some(rough) => Meeting::Rough(rough, joint),
             None => Meeting::As(joint),
         }
@@ -301,7 +380,8 @@ impl TrackBuilder {
             }
             Meeting::Rough(rough, as_is) => {
                 let (a, b) = (&incoming.piece, &outgoing.piece);
-                if let Some(blend) = rough.blend(a, b, most, self.deviation) {
+                let deviation = self.deviation - incoming.off.max(outgoing.off);
+                if let Some(blend) = rough.blend(a, b, most, deviation) {
                     leg = blend.leg;
                     joint = Joint::Smooth;
                     let legs = [a.part(a.length() - leg, a.length()), b.part(0.0, leg)];
@@ -316,7 +396,8 @@ impl TrackBuilder {
         if let Some((piece, legs)) = rounded {
             let rapid = incoming.rapid && outgoing.rapid;
             let feed = incoming.feed.min(outgoing.feed);
-            let corner = Placed { piece, block: incoming.block, feed, rapid, end: joint, legs };
+            let block = incoming.ends.last().map_or(incoming.block, |(_, block)| *block);
+            let corner = Placed { piece, block, feed, rapid, end: joint, legs, ends: Vec::new() };
             track.extend(self.last.replace(corner));
         }
         self.incoming = Some(outgoing);
@@ -330,7 +411,11 @@ impl TrackBuilder {
             let piece =
                 if whole { stretch.piece.clone() } else { stretch.piece.part(stretch.taken, to) };
             let Stretch { block, feed, rapid, .. } = *stretch;
-            let placed = Placed { piece, block, feed, rapid, end, legs: None };
+            let mut ends = stretch.ends.clone();
+            for end in &mut ends {
+                end.0 -= stretch.taken;
+            }
+            let placed = Placed { piece, block, feed, rapid, end, legs: None, ends };
             track.extend(self.last.replace(placed));
         } else if let Some(last) = &mut self.last
             && end != Joint::Smooth

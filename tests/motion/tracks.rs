@@ -219,7 +219,7 @@ fn short_legs_are_shared_and_never_overlap() {
         moves.push(line(at, next));
         at = next;
     }
-    let limits = Limits { corner_deviation: 0.2, ..Limits::default() };
+    let limits = Limits { corner_deviation: 0.2, fit: false, ..Limits::default() };
     let found = examine(&moves, &limits, "staircase");
     assert_eq!((found.corners, found.stops), (199, 0), "{found:?}");
     assert!(found.deviation <= 0.2, "{found:?}");
@@ -237,7 +237,7 @@ fn a_leg_takes_what_its_neighbour_leaves() {
         line(p(50.0, 0.0), p(50.0, 2.0)),
         line(p(50.0, 2.0), p(50.0, 2.0) + gentle * 50.0),
     ];
-    let track = track(&moves, &Limits::default());
+    let track = track(&moves, &Limits { fit: false, ..Limits::default() });
     let corners: Vec<_> = track.iter().filter_map(Placed::legs).collect();
     let [sharp, gentle] = [&corners[0][1], &corners[1][0]].map(Piece::length);
     near(sharp, 0.05 * 3.494_66, 1e-5, "leg of the right angle");
@@ -346,7 +346,7 @@ fn moves_that_do_not_follow_are_joined_by_a_rapid_move_at_rest() {
         line(p(20.0, 5.0), p(30.0, 5.0)),
         line(p(30.0, 5.0), p(40.0, 5.0)),
     ];
-    let track = track(&moves, &Limits::default());
+    let track = track(&moves, &Limits { fit: false, ..Limits::default() });
     let ends: Vec<_> = track.iter().map(|placed| (placed.rapid, placed.end)).collect();
     let expected =
         [(false, Joint::Stop), (true, Joint::Stop), (false, Joint::Smooth), (false, Joint::Stop)];
