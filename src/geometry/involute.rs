@@ -87,11 +87,11 @@ impl Involute {
         }
         let outward = far[1] > far[0];
         let hand = if outward == clockwise { -1.0 } else { 1.0 };
-        let [to_start, to_end] = [start - center, end - center];
-        let swept = turn(to_start, to_end);
+        let to_start = start - center;
+        let swept = turn(to_start, end - center);
         // The angle between the starts, on the base circle, of the involutes through both points.
         let apart = |radius: f64| {
-            let rolls = far.map(|far| roll(far, radius));
+            let rolls = [roll(far[0], radius), roll(far[1], radius)];
             let between = swept + hand * (unrolled(rolls[0]) - unrolled(rolls[1]));
             (rolls, between - TAU * (between / TAU).round())
         };
@@ -110,7 +110,7 @@ impl Involute {
                 base = base.min(range[1]).max(range[0]);
             }
         }
-        let rolls = far.map(|far| roll(far, base));
+        let (rolls, _) = apart(base);
         let angle = to_start.y.atan2(to_start.x) + hand * rolls[0].atan();
         let found = Self { center, radius: base, hand, angle, rolls };
         if found.start().distance(start).max(found.end().distance(end)) <= 0.1 * MIN_LENGTH {
@@ -253,7 +253,8 @@ impl Involute {
         let mut bounds = Bounds::of([self.start(), self.end()]);
         // Farthest along an axis where the tangent is across it, and the last turn is the widest.
         let inner = inner.max(outer - TAU);
-        let [a, b] = [inner, outer].map(|roll| self.angle + self.hand * (roll - self.rolls[0]));
+        let a = self.angle + self.hand * (inner - self.rolls[0]);
+        let b = a + self.hand * (outer - inner);
         let (low, high) = (a.min(b), a.max(b));
         let mut quarter = (low / FRAC_PI_2).ceil();
         while quarter * FRAC_PI_2 <= high {
@@ -307,8 +308,7 @@ impl Involute {
     /// length.
     #[must_use]
     pub fn part(&self, from: f64, to: f64) -> Option<Self> {
-        let rolls = [from, to].map(|t| self.roll_at(t));
-        self.stretch(rolls)
+        self.stretch([self.roll_at(from), self.roll_at(to)])
     }
 
     /// The stretch of the same involute between two rolls, those before the base circle included:
@@ -332,14 +332,11 @@ impl Involute {
         let outward = if self.is_outward() { 1.0 } else { -1.0 };
         // The left normal is perp(±u), along the thread or against it.
         let shift = self.hand * outward * offset / self.radius;
-        let [from, to] = self.rolls.map(|roll| roll - shift);
+        let [from, to] = [self.rolls[0] - shift, self.rolls[1] - shift];
         let base = Self { rolls: [from, to], ..*self };
-        let parts = if from * to < 0.0 {
-            [Some([from, 0.0]), Some([0.0, to])]
-        } else {
-            [Some([from, to]), None]
-        };
-        for rolls in parts.into_iter().flatten() {
+        // A cusp where the thread has no length left.
+        let cusp = if from * to < 0.0 { 0.0 } else { to };
+        for rolls in [[from, cusp], [cusp, to]] {
             if let Some(part) = base.stretch(rolls) {
                 add(part);
             }
@@ -377,34 +374,34 @@ impl Involute {
         let x = (4.0 * tolerance / self.radius).min(1.0);
         let blunt = (x.sqrt().sqrt() * x.sqrt().sqrt().sqrt()).min(outer);
         let regular = if inner < blunt { blunt } else { inner };
+        let first = if regular > inner { 1.0 } else { 0.0 };
         let steepest = self.radius * outer.hypot(3.0);
         let steps = (outer - regular) * (steepest / (384.0 * tolerance)).sqrt().sqrt();
         let steps = steps.ceil().min(MAX_PIECES);
-        let mut rolls = Vec::new();
-        if regular > inner {
-            rolls.push(inner);
-        }
-        let mut i = 0.0;
-        while i <= steps {
-            rolls.push(if i == steps { outer } else { regular + (outer - regular) * (i / steps) });
-            i += 1.0;
-        }
-        if to < from {
-            rolls.reverse();
-        }
-        let mut cubics = Vec::with_capacity(rolls.len());
-        for pair in rolls.windows(2) {
-            let ends = [pair[0], pair[1]];
-            let [start, end] = ends.map(|roll| self.at(roll));
-            let step = ends[1] - ends[0];
+        let count = first + steps;
+        let knot = |k: f64| {
+            if k == 0.0 || k == count {
+                return if k == 0.0 { inner } else { outer };
+            }
+            regular + (outer - regular) * ((k - first) / steps)
+        };
+        let mut cubics = Vec::new();
+        let (mut before, mut start) = (from, self.at(from));
+        let mut i = 1.0;
+        while i <= count {
+            let next = knot(if self.is_outward() { i } else { count - i });
+            let end = self.at(next);
+            let step = next - before;
             // A third of the derivatives by the roll, or of the chord.
-            let chord = start.distance(end).copysign(step) / 3.0;
-            let is_blunt = ends[0].min(ends[1]) < regular;
-            let [first, last] = ends.map(|roll| {
-                let length = if is_blunt { chord } else { self.radius * roll * step / 3.0 };
-                self.outward(roll) * length
-            });
-            cubics.push(Cubic::new(start, start + first, end - last, end));
+            let chord = start.distance(end).copysign(step);
+            let is_blunt = before.min(next) < regular;
+            let third = |roll: f64| {
+                let length = if is_blunt { chord } else { self.radius * roll * step };
+                self.outward(roll) * (length / 3.0)
+            };
+            cubics.push(Cubic::new(start, start + third(before), end - third(next), end));
+            (before, start) = (next, end);
+            i += 1.0;
         }
         cubics
     }

@@ -122,16 +122,19 @@ impl Reader<'_> {
     fn shape(&mut self, kind: f64) -> Result<Option<Shape>, BadArgument> {
         Ok(Some(if kind == 1.0 {
             Shape::Line { to: self.point()? }
-        } else if kind == 2.0 {
+        } else if kind == 2.0 || kind == 9.0 {
             let (to, center) = (self.point()?, self.point()?);
-            Shape::Arc { to, center, clockwise: self.truth()? }
+            let radius = if kind == 9.0 { self.number()? } else { 0.0 };
+            let clockwise = self.truth()?;
+            if kind == 2.0 {
+                Shape::Arc { to, center, clockwise }
+            } else {
+                Shape::Involute { to, center, radius, clockwise }
+            }
         } else if kind == 3.0 {
             Shape::Spline(self.spline()?)
         } else if kind == 8.0 {
             Shape::Bezier { controls: self.points()? }
-        } else if kind == 9.0 {
-            let (to, center) = (self.point()?, self.point()?);
-            Shape::Involute { to, center, radius: self.number()?, clockwise: self.truth()? }
         } else {
             return Ok(None);
         }))

@@ -105,8 +105,7 @@ const step = 0.1;
  */
 function involute(pen, from, to, [cx, cy], radius, clockwise) {
   /** @type {(point: readonly [number, number]) => number} */
-  const roll = ([x, y]) =>
-    Math.sqrt(Math.max(0, (Math.hypot(x - cx, y - cy) / radius) ** 2 - 1));
+  const roll = ([x, y]) => Math.sqrt(Math.max(0, (Math.hypot(x - cx, y - cy) / radius) ** 2 - 1));
   const [start, end] = [roll(from), roll(to)];
   const hand = end > start === clockwise ? -1 : 1;
   const first = Math.atan2(from[1] - cy, from[0] - cx) + hand * Math.atan(start);

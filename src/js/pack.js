@@ -1,15 +1,5 @@
 // Packs contours into numbers; the layout is that of `ContourRecords` in types.d.ts.
-import {
-  bad,
-  finite,
-  isPlain,
-  object,
-  oneOf,
-  optional,
-  point,
-  property,
-  truth,
-} from "./check.js";
+import { bad, finite, isPlain, object, oneOf, optional, point, property, truth } from "./check.js";
 
 /** @typedef {import("./check.js").Where} Where */
 

@@ -76,3 +76,67 @@ impl Unwound {
         Self { from: self.from + from, length: to - from, ..*self }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The involute of the circle of radius 10 between two rolls, climbing by 3 mm.
+    fn unwound(from: f64, to: f64) -> Unwound {
+        let at = |roll: f64| {
+            let leaves = DVec2::from_angle(roll);
+            (leaves - leaves.perp() * roll) * 10.0
+        };
+        let involute = Involute::new(at(from), at(to), DVec2::ZERO, 10.0, to < from, 1e-9);
+        Unwound::of_involute(&involute.expect("it is one"), Plane::Zx, [1.0, 4.0])
+    }
+
+    #[test]
+    fn equal_steps_are_equal_ways() {
+        // The arc length from the base circle is R φ² / 2 in the plane.
+        for (from, to) in [(0.0, 1.5), (0.4, 2.0), (2.0, 0.4), (1.0, 0.0)] {
+            let unwound = unwound(from, to);
+            let flat = 5.0 * (to * to - from * from).abs();
+            assert!((unwound.length - flat.hypot(3.0)).abs() < 1e-12, "{from} to {to}");
+            for k in 0..=20_u32 {
+                let share = f64::from(k) / 20.0;
+                let roll = (from * from + share * (to * to - from * from)).sqrt();
+                let leaves = DVec2::from_angle(roll);
+                let truth = (leaves - leaves.perp() * roll) * 10.0;
+                let truth = Plane::Zx.place(truth, 1.0 + 3.0 * share);
+                let found = unwound.frame(unwound.length * share).point;
+                assert!(found.distance(truth) < 1e-12, "{from} to {to} at {share}: {found}");
+            }
+            let part = unwound.part(0.25 * unwound.length, 0.75 * unwound.length);
+            let (a, b) = (part.frame(1.0), unwound.frame(0.25 * unwound.length + 1.0));
+            assert!(a.point.distance(b.point) < 1e-12, "{from} to {to}: a part");
+        }
+    }
+
+    #[test]
+    fn derivatives_are_those_of_the_points() {
+        for (from, to) in [(0.4, 2.0), (2.0, 0.4)] {
+            let unwound = unwound(from, to);
+            for k in 1..20 {
+                let (s, h) = (unwound.length * f64::from(k) / 20.0, 1e-4);
+                let [before, here, after] = [s - h, s, s + h].map(|s| unwound.frame(s));
+                let slope = |a: DVec3, b: DVec3| (b - a) / (2.0 * h);
+                for (found, truth, name) in [
+                    (here.tangent, slope(before.point, after.point), "tangent"),
+                    (here.curvature, slope(before.tangent, after.tangent), "curvature"),
+                    (here.sharpness, slope(before.curvature, after.curvature), "sharpness"),
+                ] {
+                    assert!(found.distance(truth) < 1e-7, "{name} at {s}: {found} {truth}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn on_the_base_circle_everything_is_finite() {
+        let unwound = unwound(0.0, 1.0);
+        let Frame { point, tangent, curvature, sharpness } = unwound.frame(0.0);
+        assert!([point, tangent, curvature, sharpness].iter().all(|v| v.is_finite()), "finite");
+        assert!((tangent.length() - 1.0).abs() < 1e-12, "a unit tangent");
+    }
+}

@@ -35,7 +35,7 @@ impl Interpreter {
         let plane = attributes.plane;
         let [first, second, _] = plane.axes();
         // A word of the third axis is left over, and told so.
-        let center = [first, second].map(|i| words.take(CENTER[i]));
+        let center = [words.take(CENTER[first]), words.take(CENTER[second])];
         let radius = words.take('R');
         let leads = axes.words[first].or(axes.words[second]).is_some();
         let Some(radius) = radius.filter(|_| leads && center != [None; 2]) else {
@@ -74,7 +74,7 @@ impl Emitter {
     fn involute_block(&mut self, involute: &Involute, like: &Move) -> bool {
         let (plane, clockwise) = (like.plane, involute.is_clockwise());
         let to = self.out.place(plane.place(involute.end(), like.heights[1]));
-        let [start, end] = [self.out.at, to].map(|place| self.in_plane(plane, place));
+        let (start, end) = (self.in_plane(plane, self.out.at), self.in_plane(plane, to));
         let way = involute.center() - start;
         let offset = [self.out.units(way.x), self.out.units(way.y)];
         let center = start + self.way(offset);

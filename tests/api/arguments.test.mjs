@@ -81,7 +81,15 @@ test("segments", () => {
     throwsCode(() => compensate(withSegment(segment), left), "bad-argument", `segments[3]${path}`);
   }
   const involute = { kind: "involute", to: [1, 1], center: [0, 0], baseRadius: 1, clockwise: true };
-  throwsCode(() => compensate(withSegment(involute), left), "not-supported", "segments[3].kind");
+  for (const [segment, path] of [
+    [{ ...involute, to: [1] }, ".to"],
+    [{ ...involute, center: undefined }, ".center"],
+    [{ ...involute, baseRadius: "1" }, ".baseRadius"],
+    [{ ...involute, clockwise: 1 }, ".clockwise"],
+    [{ ...involute, radius: 1 }, ".radius"],
+  ]) {
+    throwsCode(() => compensate(withSegment(segment), left), "bad-argument", `segments[3]${path}`);
+  }
 });
 
 test("records", () => {
@@ -91,7 +99,7 @@ test("records", () => {
     [[0, 0, 0, 0, 1, 2], "[6]"],
     [[0, 0, 0, 0, 1, Number.NaN, 0], "[5]"],
     [[0, 0, 0, 0, 3, 0, 0, 0, 0, 0, 9e9, 1], "[10]"],
-    [[0, 0, 0, 0, 9], "[4]"],
+    [[0, 0, 0, 0, 10], "[4]"],
   ]) {
     throwsCode(() => compensate(Float64Array.from(records), left), "bad-argument", path);
   }

@@ -9,6 +9,7 @@ import {
   flatten,
   LiveContour,
   left,
+  parseProgram,
   part,
   RECORD_STRIDE,
   throwsCode,
@@ -389,4 +390,54 @@ test("a lead-in as LinuxCNC makes it ends beside its own end", () => {
   assert.deepEqual([around?.kind, around?.role], ["arc", "transition"]);
   const live = new LiveContour(angle, { side: "left", radius: 2, profile: "linuxcnc" });
   assert.deepEqual([...live.update().points.slice(0, 4)], [0, 0, 10, 2]);
+});
+
+test("involutes come back as involutes of the same circle", () => {
+  // A thread that comes off a circle of 10 mm: where it ends after so many radians.
+  const at = (roll) => [
+    10 * (Math.cos(roll) + roll * Math.sin(roll)),
+    10 * (Math.sin(roll) - roll * Math.cos(roll)),
+  ];
+  const involute = {
+    ...{ kind: "involute", to: at(1.2), center: [0, 0], baseRadius: 10, clockwise: false },
+  };
+  const contour = { start: at(0.5), segments: [involute] };
+  const path = compensate(contour, { side: "right", radius: 2 });
+  assert.deepEqual(path.diagnostics, []);
+  const [move] = path.moves;
+  assert.equal(path.moves.length, 1);
+  assert.equal(move.kind, "involute");
+  assert.deepEqual(move.center.map(Math.round), [0, 0, 0]);
+  assert.ok(Math.abs(move.baseRadius - 10) < 1e-9, `${move.baseRadius}`);
+  assert.equal(move.clockwise, false);
+  // Its thread is longer by the radius.
+  const thread = ([x, y]) => Math.sqrt(x * x + y * y - 100);
+  assert.ok(Math.abs(thread(move.from) - 7) < 1e-9, "at the start");
+  assert.ok(Math.abs(thread(move.to) - 14) < 1e-9, "at the end");
+  const records = Float64Array.of(0, ...at(0.5), 0, 9, ...at(1.2), 0, 0, 10, 0);
+  const same = compensate(records, { side: "right", radius: 2 });
+  assert.deepEqual(same.records(), path.records());
+  // Drawn by cubics that end where it does, and by chords near it.
+  const [data] = /C[^C]*$/.exec(path.svg()) ?? [""];
+  assert.ok(data.includes(`${move.to[0]} ${move.to[1]}`), data);
+  for (let i = 0, { points } = path.polylines(1e-4); i < points.length; i += 2) {
+    const [x, y] = [points[i], points[i + 1]];
+    const roll = Math.sqrt(x * x + y * y - 100) / 10;
+    const off = 10 * (Math.atan2(y, x) + Math.atan(roll) - roll) + 2;
+    assert.ok(Math.abs(off) < 1e-9, `${off} mm off`);
+  }
+  assert.match(path.gcode({ target: "fanuc-30i", feed: 300 }), /G3\.2 X.* I.* J.* R10\./);
+  assert.doesNotMatch(path.gcode({ feed: 300 }), /G3\.2/);
+  const wrong = compensate(
+    { ...contour, segments: [{ ...involute, to: [14, 9] }] },
+    { side: "right", radius: 2 },
+  );
+  assert.deepEqual(
+    wrong.diagnostics.map(({ code }) => code),
+    ["off-involute"],
+  );
+  const text = "G0 X11.173 Y.407\nG3.2 X13.818 Y3.012 I-11.173 J-.407 R10 F300\n";
+  const program = parseProgram(`G41 D1\nG1 X0 Y0\n${text.replace("G0", "G1")}G40 X0\n`);
+  assert.equal(program.contours[0].segments.at(-1).kind, "involute");
+  assert.equal(program.contours[0].segments.at(-1).baseRadius.toFixed(2), "10.00");
 });

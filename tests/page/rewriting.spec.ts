@@ -9,6 +9,9 @@ import { partOf, rewrite } from "../../www/src/program-text";
 const CASES = 200;
 const EDITS = 12;
 
+/** The examples with points that can be moved. */
+const EDITABLE = EXAMPLES.filter(({ text }) => handles(read(text)).length > 0);
+
 /** Numbers in [0, 1) from a seed. */
 function generator(seed: number): () => number {
   let state = seed;
@@ -84,7 +87,7 @@ test("what is written is read again as the same part, edit after edit", () => {
   let worst = 0;
   for (let seed = 1; seed <= CASES; seed += 1) {
     const random = generator(seed);
-    const example = EXAMPLES[seed % EXAMPLES.length] as (typeof EXAMPLES)[number];
+    const example = EDITABLE[seed % EDITABLE.length] as (typeof EXAMPLES)[number];
     let text = example.text;
     let part = read(text);
     const story = [`seed ${seed}, ${example.id}`];

@@ -34,7 +34,7 @@ export interface Mode {
 /** A block that moves the tool in the plane. */
 export interface MotionBlock {
   readonly block: Block;
-  /** The motion word in force: 0, 1, 2, 3 or 5. */
+  /** The motion word in force: 0, 1, 2, 2.2, 3, 3.2 or 5. */
   readonly motion: number;
   readonly to: Point;
 }
@@ -93,7 +93,7 @@ export function modeAfter(mode: Mode, words: readonly Word[]): Mode {
 
 /** Whether a G word chooses how the tool moves. */
 export function isMotion(word: Word): boolean {
-  return word.letter === "G" && [0, 1, 2, 3, 5].includes(word.value);
+  return word.letter === "G" && [0, 1, 2, 2.2, 3, 3.2, 5].includes(word.value);
 }
 
 /** All blocks of a text that move the tool in the plane, as far as the page understands them. */

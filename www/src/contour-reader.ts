@@ -35,6 +35,7 @@ export function wordsOf(block: Block, before: readonly string[]): BlockWords {
 
 const isStraight = (motion: number) => motion <= 1;
 const isSpline = (motion: number) => motion === 5;
+const isInvolute = (motion: number) => motion === 2.2 || motion === 3.2;
 
 /** Takes one motion block after the other as the points of a contour. */
 class Reader {
@@ -98,7 +99,7 @@ class Reader {
       case "involute":
         // Its end lies where circle and start let it; the text is where it is changed.
         this.#plain = false;
-        return { kind: "spline", points: [this.#take(segment.to, () => false)] };
+        return { kind: "spline", points: [this.#take(segment.to, isInvolute)] };
     }
   }
 

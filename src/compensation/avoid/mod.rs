@@ -172,7 +172,7 @@ fn avoid_jobs(jobs: &[Job], radius: f64, options: &Options) -> ToolPath {
 
 /// Says that involutes were looked at as splines, and how near those are.
 fn tell_splines(contour: &Contour, share: f64) -> Diagnostic {
-    let message = format!("involutes count as splines {} mm from them", Decimal::of(share));
+    let message = format!("involutes count as splines {} mm from them", Decimal::new(share, 9));
     let diagnostic = Diagnostic::info("involutes-as-splines", message)
         .with_hint("where gouges are avoided; elsewhere the path has involutes");
     let involute =

@@ -47,14 +47,18 @@ impl Control<'_> {
                     let attributes = self.timed(attributes, helix(arc, attributes));
                     self.queue.push(Pending { to: at, shape, attributes, role });
                 }
-                Curve::Spline(spline) => {
+                Curve::Spline(_) | Curve::Involute(_) => {
                     self.queue.release();
-                    self.queue.cubics(spline.pieces(), attributes);
-                }
-                Curve::Involute(involute) => {
-                    self.queue.release();
-                    let cubics = involute.cubics(self.options.usable_tolerance());
-                    self.queue.cubics(&cubics, attributes);
+                    let along;
+                    let pieces = match &segment.curve {
+                        Curve::Spline(spline) => spline.pieces(),
+                        Curve::Involute(involute) => {
+                            along = involute.cubics(self.options.usable_tolerance());
+                            &along
+                        }
+                        Curve::Line(_) | Curve::Arc(_) => &[],
+                    };
+                    self.queue.cubics(pieces, attributes);
                 }
             }
         }
