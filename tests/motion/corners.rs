@@ -8,6 +8,9 @@ use crate::common::near;
 const CURVES: [CornerCurve; 4] =
     [CornerCurve::Ph13, CornerCurve::Ph11, CornerCurve::Ph9, CornerCurve::Ph5];
 
+/// A few times the spacing of numbers below 1, relative and of control points [mm].
+const ROUNDING: f64 = 2e-15;
+
 /// A right-handed pair of unit vectors of space that no axis is in line with.
 fn oblique() -> [DVec3; 2] {
     let x = DVec3::new(2.0, -1.0, 3.0).normalize();
@@ -39,15 +42,13 @@ fn closed_forms_and_control_points_agree_with_50_digits() {
         let shape = CornerShape::between(CornerCurve::Ph13, DVec3::X, outgoing).expect("a turn");
         let corner =
             Corner::with_leg(CornerCurve::Ph13, DVec3::ZERO, tangents, 1.0).expect("a turn");
-        // Half the sum of the tangents is short near a reversal: its error is one of the turn.
-        let slack = 1e-15 / shape.half_cosine();
         let same = |actual: f64, expected: f64, slack: f64, what: &str| {
             near(actual / expected, 1.0, slack, &format!("{degrees}°: {what}"));
         };
-        same(corner.scale(), scale, 4.0 * slack, "scale");
-        same(corner.length(), length, 4.0 * slack, "length");
-        same(shape.deviation() * scale, deviation, 8.0 * slack, "deviation");
-        same(shape.largest_curvature() / scale, curvature, 4.0 * slack, "largest curvature");
+        same(corner.scale(), scale, ROUNDING, "scale");
+        same(corner.length(), length, ROUNDING, "length");
+        same(shape.deviation() * scale, deviation, ROUNDING, "deviation");
+        same(shape.largest_curvature() / scale, curvature, ROUNDING, "largest curvature");
         let square = scale * scale;
         same(shape.largest_sharpness() / square, sharpness, 1.5e-4, "its largest derivative");
         let bound = shape.jerk_constant() / square;
@@ -59,7 +60,7 @@ fn closed_forms_and_control_points_agree_with_50_digits() {
         assert_eq!(points.len(), expected.len(), "of degree 13");
         for (k, (point, expected)) in points.iter().zip(&expected).enumerate() {
             let error = point.distance(*expected);
-            assert!(error <= 8.0 * slack, "{degrees}°: control point {k} is off by {error:e}");
+            assert!(error <= ROUNDING, "{degrees}°: control point {k} is off by {error:e}");
         }
         rows += 1;
     }
