@@ -170,6 +170,7 @@ fn contours() -> Vec<ProgrammedContour> {
             allowance: 0.0,
             unit: 1.0,
             orientation: 0,
+            curves: Vec::new(),
             leads_in: false,
             begins: ContourStart::Anew,
             end: ContourEnd::Off,

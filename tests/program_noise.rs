@@ -77,14 +77,16 @@ fn characters(random: &mut Random, length: usize) -> String {
 
 /// Proper words in no order.
 fn words(random: &mut Random, count: usize) -> String {
-    const WORDS: [&str; 84] = [
+    const WORDS: [&str; 104] = [
         "G0", "G1", "G1", "G1", "G2", "G3", "G05", "G05", "G17", "G18", "G20", "G21", "G40", "G40",
         "G41", "G42", "G41", "G41.1", "G42.1", "G90", "G91", "G90.1", "G91.1", "G4", "G28", "G81",
         "G80", "G5.1", "G92", "G53", "M3", "M6", "M0", "T1", "S900", "F600", "F0", "D1", "D2",
         "(c)", "/", "G10", "G43", "G64", "G93", "G94", "G54", "M8", "G19", "G15", "G16", "G50",
         "G51", "G50.1", "G51.1", "G52", "G55", "G68", "G69", "G7", "G8", "G73", "G74", "G76",
         "G83", "G84", "G86", "G87", "G88", "G89", "G92.1", "G92.2", "G92.3", "G95", "G96", "G97",
-        "G98", "G99", "G28.1", "G53", "L2", "L20", "P1", "G49",
+        "G98", "G99", "G28.1", "G53", "L2", "L20", "P1", "G49", "G33", "G33.1", "G38.2", "G38.5",
+        "G31", "G60", "G67", "G12.1", "G13.1", "G30", "G28", "B5", "C-3", "U2", "V1", "W-1", "K1",
+        "G70", "G71", "G461",
     ];
     const LETTERS: [&str; 15] =
         ["X", "Y", "X", "Y", "X", "Y", "Z", "I", "J", "R", "P", "Q", "K", "L", "A"];
@@ -251,14 +253,20 @@ fn line(random: &mut Random) -> String {
         18 => format!("O{number} ({a})"),
         19 => format!("M98 P{number} L{b}"),
         20 => random.pick(&["M99", "M99 P10", "M30", "%", "M2", "/M99"]).to_owned(),
-        21 => format!("G65 P{number} A{a} I{b} I{c} X{c}"),
+        21 => {
+            let call = random.pick(&["G65", "G65", "G66", "G67 G66"]);
+            format!("{call} P{number} A{a} I{b} I{c} X{c}")
+        }
         22 => format!("IF [{a}] GOTO {number}"),
         23 => format!("IF [{a}] THEN #{number}={b}"),
         24 => format!("WHILE [{a}] DO{number}"),
         25 => format!("{}{number}", random.pick(&["END", "DO", "GOTO"])),
         26 => format!("#{number}={a}"),
         27 => format!("#<{}>={a} #1={b}", random.pick(&["a", "_b", "c d", "_x"])),
-        28 => format!("R{number}={a} X={b}"),
+        28 => {
+            let word = random.pick(&["", "KONTT", "NORM", "OFFN=1", "G41", "G40 I1 J2 G1"]);
+            format!("R{number}={a} X={b} {word}")
+        }
         29 => format!("N{number} G91 G1 X{a} F{b}"),
         30 => format!("G{} X{a} Y{b} R{c}", random.pick(&["0", "1", "2", "3", "5", "81"])),
         31 => format!("{} {}", words(random, 4).replace('\n', " "), a),

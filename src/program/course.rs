@@ -113,6 +113,9 @@ impl Course {
             }
             State::On(open) | State::Ending(open) => {
                 open.last_line = origins.last().map_or(open.last_line, |last| line_of(*last));
+                if origins.len() > 1 {
+                    open.curves.push(origins.to_vec());
+                }
             }
         }
     }
@@ -423,6 +426,7 @@ impl Course {
                     allowance: open.switched.allowance,
                     unit: open.switched.unit,
                     orientation: open.switched.orientation,
+                    curves: open.curves,
                     leads_in: open.leads_in,
                     begins: open.begins,
                     end,

@@ -41,6 +41,8 @@ pub struct ProgrammedContour {
     /// Which way the tip of the tool points where the program itself gives the radius, as lathe tools
     /// are numbered: 1 to 9, or 0.
     pub orientation: u8,
+    /// Of each spline of several blocks, those of its pieces: the segment itself has the first.
+    pub curves: Vec<Vec<Origin>>,
     /// Whether its first segment is itself the lead-in: an arc, or all that there is.
     pub leads_in: bool,
     /// How it begins.

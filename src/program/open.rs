@@ -21,6 +21,8 @@ pub(super) struct Open {
     pub(super) begins: ContourStart,
     /// The events once more, for when no contour comes of it.
     pub(super) events: Vec<(EventKind, Origin)>,
+    /// Of each spline of several blocks, those of its pieces.
+    pub(super) curves: Vec<Vec<Origin>>,
     pub(super) last_line: u32,
 }
 
@@ -46,6 +48,7 @@ impl Open {
             leads_in: false,
             begins: ContourStart::Anew,
             events: Vec::new(),
+            curves: Vec::new(),
             last_line,
         })
     }

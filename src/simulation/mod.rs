@@ -7,6 +7,7 @@ mod passed_words;
 mod planned;
 mod profile;
 mod program_path;
+mod spline_blocks;
 mod tools;
 mod walls;
 

@@ -6,6 +6,7 @@ use super::Tools;
 use super::ahead::with_look_ahead;
 use super::changes::{cross_over, leave_out_last, start_from};
 use super::judge::judge_again;
+use super::spline_blocks::name_blocks;
 use crate::compensation::{
     GougePolicy, LeadStyle, Options, Passes, compensate_all, compensate_beside, refuse_gouges,
 };
@@ -230,6 +231,7 @@ impl Course {
                 ContourStart::Crosses => cross_over(last, first),
             }
         }
+        name_blocks(&mut compensated.moves, programmed);
         let follows_a_contour = self.path.moves.last().is_some_and(|last| last.role != Role::Free);
         if let Some(first) = compensated.moves.first_mut()
             && let Some((at, height)) = self.elsewhere(first)

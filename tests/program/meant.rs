@@ -2,10 +2,12 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use g41::contour::{EventKind, MoveCurve, Side};
+use g41::compensation::Options;
+use g41::contour::{EventKind, MoveCurve, Role, Side};
 use g41::diagnostic::Origin;
 use g41::geometry::Curve;
 use g41::program::{Item, RadiusSource};
+use g41::simulation::{Tools, compensate_program};
 use glam::DVec2;
 
 use super::sample::{
@@ -86,6 +88,31 @@ fn each_piece_of_a_free_spline_knows_its_block() {
     let text = "G41 D1 G1 X0 Y0 F9\nG5 X9 Y5\nX20 Y0\nX30 Y5\nM30\n";
     let read = super::sample::read(&format!("G0 X-9 Y0\n{text}"));
     assert_eq!(only_contour(&read).blocks, [2, 5], "the contour reaches to the spline's last");
+}
+
+#[test]
+fn each_piece_of_a_compensated_spline_knows_its_block() {
+    let text = "G0 X-9 Y0\nG41 D1 G1 X0 Y0 F9\nG5 X9 Y5\nX20 Y0\nX30 Y5\nG1 X40\n\
+                G5 X50 Y9\nX60 Y5\nG40 G1 X80\nM30\n";
+    let read = read_clean(text);
+    for radius in [0.0, 0.5] {
+        let path = compensate_program(&read, &Tools::all(radius), &Options::default());
+        let along = path.moves.iter().filter(|m| m.role == Role::Segment);
+        let mut lines: Vec<(u32, f64)> = along
+            .map(|m| {
+                let Origin::Block { line, .. } = m.origin else { panic!("a block") };
+                (line, m.curve.end().x)
+            })
+            .collect();
+        // The last move of each block ends beside the block's point.
+        lines.reverse();
+        lines.dedup_by_key(|(line, _)| *line);
+        lines.reverse();
+        assert_eq!(lines.iter().map(|l| l.0).collect::<Vec<_>>(), [3, 4, 5, 6, 7, 8], "{radius}");
+        for ((_, x), expected) in lines.iter().zip([9.0, 20.0, 30.0, 40.0, 50.0, 60.0]) {
+            assert!((x - expected).abs() < 0.51, "{lines:?}");
+        }
+    }
 }
 
 #[test]
