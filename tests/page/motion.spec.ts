@@ -102,6 +102,16 @@ test("limits, override and method change the time, and are kept over a reload", 
   expect(g41.errors).toEqual([]);
 });
 
+test("one panel is open below the picture", async ({ page }) => {
+  await opened(page);
+  await page.getByRole("button", { name: "Deviation plot" }).click();
+  await expect(page.locator("#deviation")).toBeVisible();
+  await expect(page.locator("#motion")).toBeHidden();
+  await page.getByRole("button", { name: "Motion" }).click();
+  await expect(page.locator("#deviation")).toBeHidden();
+  await expect(page.locator("#motion")).toBeVisible();
+});
+
 test("the motion follows the program", async ({ page }) => {
   const g41 = await opened(page, "star");
   const before = await time(page, "Cycle time");

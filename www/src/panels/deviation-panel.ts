@@ -7,6 +7,7 @@ import type { Point } from "../geometry";
 import type { Stage } from "../stage";
 import type { Store } from "../state";
 import { gridStep } from "../view";
+import { closesOthers } from "./drawer";
 import { element, iconButton } from "./elements";
 
 const ICON = "M4 19h16M4 19V5M7 13c2-7 4-7 5-2s3 6 4 1 2-5 4-5";
@@ -107,6 +108,7 @@ export function deviationPanel(
     ask();
     draw();
   });
+  closesOthers(button);
   new ResizeObserver(draw).observe(section);
   store.subscribe((state, before) => {
     // Of a very long program it would take as long as everything else.

@@ -3,6 +3,7 @@
 import type { MotionPanel } from "../motion/motion-panel";
 import type { Stage } from "../stage";
 import type { Store } from "../state";
+import { closesOthers } from "./drawer";
 import { element, iconButton } from "./elements";
 
 const ICON = "M5.6 18.4a9 9 0 1 1 12.8 0M12 13l4-4M12 13h.01";
@@ -44,6 +45,7 @@ export function motionButton(
     if (section.hidden) panel?.close();
     else open();
   });
+  closesOthers(button);
   store.subscribe((state) => {
     // Of a very long program it would take as long as everything else.
     button.disabled = state.history.present.file !== undefined;
