@@ -174,13 +174,15 @@ export class Plots {
   #words(plot: number, index: number): string {
     const data = this.#data as MotionData;
     const { lines, unit } = PLOTS[plot] as Plot;
-    const values = lines.map(({ name, of }) => {
-      const value = rounded(of(data, index));
-      return lines.length > 1 ? `${name} ${value}` : value;
-    });
+    const values = lines.map(({ of }) => rounded(of(data, index)));
+    if (plot > 0) {
+      const named = lines.map(({ name }, i) => `${name} ${values[i]}`);
+      return `${lines.length > 1 ? named.join(" · ") : values[0]} ${unit}`;
+    }
+    // The first tells where too, and how much of the feed is reached.
     const place = rounded(this.#channel()[index] ?? 0);
-    const at = plot === 0 ? `${place} ${this.#across === "time" ? "s" : "mm"}: ` : "";
-    return `${at}${values.join(" · ")} ${unit}`;
+    const across = this.#across === "time" ? "s" : "mm";
+    return `${place} ${across}: ${values[1]} of ${values[0]} ${unit}`;
   }
 
   /** Makes the plots anew, or only their curves where they are there. */
