@@ -213,7 +213,9 @@ test("the pointer on a plot moves the tool, a click takes the player there", asy
     return drawn(g41);
   };
   const first = await at(0.3);
-  await expect(page.locator(".motion-said").first()).toHaveText(/^[\d.]+ s: [\d.]+ of 400 mm\/min$/);
+  await expect(page.locator(".motion-said").first()).toHaveText(
+    /^[\d.]+ s: [\d.]+ of 400 mm\/min$/,
+  );
   expect(await at(0.6)).not.toBe(first);
   await page.mouse.click(box.x + 0.6 * box.width, box.y + box.height / 2);
   const slider = page.getByRole("slider", { name: "Time" });
