@@ -94,9 +94,11 @@ for (const scheme of ["light", "dark"] as const) {
       const g41 = new G41Page(page);
       await g41.open("star");
       await page.getByRole("button", { name: "Motion" }).click();
-      await expect(page.locator(".motion-plot canvas")).toHaveCount(3);
-      await expect(page.locator("#motion")).toHaveAttribute("aria-busy", "false");
-      await expect(page.locator(".motion-times .stale")).toHaveCount(0);
+      const timeout = 60_000;
+      test.setTimeout(2 * timeout);
+      await expect(page.locator(".motion-plot canvas")).toHaveCount(3, { timeout });
+      await expect(page.locator("#motion")).toHaveAttribute("aria-busy", "false", { timeout });
+      await expect(page.locator(".motion-times .stale")).toHaveCount(0, { timeout });
       await page.getByText("More", { exact: true }).click();
       await page.getByRole("slider", { name: "Time" }).fill("300");
       await page.screenshot({ path: info.outputPath(`motion-${name}.png`), fullPage: true });
