@@ -33,18 +33,18 @@ impl Decimal {
     pub fn of(value: f64) -> Self {
         Self::new(value, PLACES)
     }
-}
 
-impl fmt::Display for Decimal {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { value, places } = *self;
+    /// Adds it to a text; messages and JSON have millions of numbers, so nothing of `fmt` is here.
+    pub fn push_to(self, out: &mut String) {
+        let Self { value, places } = self;
         if value.is_nan() {
-            return f.write_str("not a number");
+            out.push_str("not a number");
+            return;
         }
-        let mut size = value.abs();
-        let sign = if value < 0.0 { "-" } else { "" };
+        let (mut size, negative) = (value.abs(), value < 0.0);
         if size == f64::INFINITY {
-            return write!(f, "{sign}infinity");
+            out.push_str(if negative { "-infinity" } else { "infinity" });
+            return;
         }
         let mut exponent = 0;
         if size >= LARGE {
@@ -53,27 +53,72 @@ impl fmt::Display for Decimal {
                 exponent += 1;
             }
         }
-        let one = 10_u64.pow(places);
         // Both parts are exact, and below 2^53.
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "see above")]
-        let (mut whole, mut fraction) =
-            (size.trunc() as u64, (size.fract() * one as f64).round() as u64);
-        if fraction >= one {
-            (whole, fraction) = (whole + 1, fraction - one);
+        let (whole, fraction) =
+            (size.trunc() as u64, (size.fract() * 10_u64.pow(places) as f64).round() as u64);
+        push_fixed(out, negative, [whole, fraction], places);
+        if exponent > 0 {
+            out.push('e');
+            push_digits(out, exponent, 1);
         }
-        if whole > 0 || fraction > 0 {
-            f.write_str(sign)?;
+    }
+}
+
+impl fmt::Display for Decimal {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let mut text = String::new();
+        self.push_to(&mut text);
+        f.write_str(&text)
+    }
+}
+
+/// Adds `whole + fraction / 10^places` to a text, without trailing zeros and without a negative zero;
+/// the fraction may be rounded up to one.
+pub fn push_fixed(
+    out: &mut String,
+    negative: bool,
+    [mut whole, mut fraction]: [u64; 2],
+    mut places: u32,
+) {
+    let one = 10_u64.pow(places);
+    if fraction >= one {
+        (whole, fraction) = (whole + 1, fraction - one);
+    }
+    if negative && (whole > 0 || fraction > 0) {
+        out.push('-');
+    }
+    push_digits(out, whole, 1);
+    if fraction > 0 {
+        while fraction % 10 == 0 {
+            fraction /= 10;
+            places -= 1;
         }
-        write!(f, "{whole}")?;
-        if fraction > 0 {
-            let mut width = places as usize;
-            while fraction % 10 == 0 {
-                fraction /= 10;
-                width -= 1;
-            }
-            write!(f, ".{fraction:0width$}")?;
-        }
-        if exponent > 0 { write!(f, "e{exponent}") } else { Ok(()) }
+        out.push('.');
+        push_digits(out, fraction, places);
+    }
+}
+
+/// Adds a whole number of at least so many digits, at most nineteen.
+fn push_digits(out: &mut String, number: u64, least: u32) {
+    const NINE_DIGITS: u64 = 1_000_000_000;
+    if number >= NINE_DIGITS {
+        push_digits(out, number / NINE_DIGITS, least.saturating_sub(9));
+        push_digits(out, number % NINE_DIGITS, 9);
+        return;
+    }
+    // Numbers of 32 bits are divided much faster.
+    let mut rest = u32::try_from(number).unwrap_or(u32::MAX);
+    let mut digits = ['0'; 19];
+    let mut at = digits.len();
+    let last = at.saturating_sub(least as usize);
+    while at > 0 && (rest > 0 || at > last) {
+        at -= 1;
+        digits[at] = char::from(b'0' + (rest % 10) as u8);
+        rest /= 10;
+    }
+    for &digit in &digits[at..] {
+        out.push(digit);
     }
 }
 

@@ -36,7 +36,7 @@ pub use bernstein::{halve, roots};
 pub use bounds::Bounds;
 pub use cubic::Cubic;
 pub use curve::{Curve, CurveError, MAX_COORDINATE, MIN_LENGTH, in_range};
-pub use decimal::{Decimal, parse_decimal};
+pub use decimal::{Decimal, parse_decimal, push_fixed};
 pub use flatten::{flatten_arc, flatten_cubic};
 pub use golden::least;
 pub use involute::Involute;

@@ -82,8 +82,10 @@ impl Object<'_> {
             self.out.push(',');
         }
         self.empty = false;
-        push_text(self.out, name);
-        self.out.push(':');
+        // Names have nothing that must be written otherwise.
+        self.out.push('"');
+        self.out.push_str(name);
+        self.out.push_str("\":");
     }
 }
 
@@ -123,8 +125,8 @@ fn push_point(out: &mut String, value: DVec2) {
 /// JSON has no NaN and no infinity; they become null.
 fn push_number(out: &mut String, value: f64) {
     if value.is_finite() {
-        // To a thousandth of a picometre. Writing to a string cannot fail.
-        let _ = write!(out, "{}", Decimal::new(value, 12));
+        // To a thousandth of a picometre.
+        Decimal::new(value, 12).push_to(out);
     } else {
         out.push_str("null");
     }

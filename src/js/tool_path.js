@@ -22,6 +22,9 @@ export let useToolPath;
 /** Beyond every index. */
 const everything = 0xffffffff;
 
+/** Items of a list that are unpacked at a time: the text of a million takes a quarter of a gigabyte. */
+const slice = 4096;
+
 /** @implements {Face} */
 export class ToolPath {
   /** @type {Handle<Raw>} */
@@ -82,11 +85,25 @@ export class ToolPath {
   }
 
   /**
+   * All items of a list.
+   *
    * @param {keyof typeof import("./g41.js").List} name
    * @returns {any[]}
    */
   #list(name) {
-    return JSON.parse(this.#handle.use((raw, { List }) => raw.report(List[name], 0, everything)));
+    /** @type {any[]} */
+    const items = [];
+    for (let from = 0; ; from += slice) {
+      const some = JSON.parse(
+        this.#handle.use((raw, { List }) => raw.report(List[name], from, from + slice)),
+      );
+      for (const item of some) {
+        items.push(item);
+      }
+      if (some.length < slice) {
+        return items;
+      }
+    }
   }
 
   get count() {

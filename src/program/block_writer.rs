@@ -62,7 +62,7 @@ impl BlockWriter {
             facts,
             text: String::new(),
             // At most 4 decimals.
-            scale: power_of_ten(facts.decimals),
+            scale: 10_u64.pow(facts.decimals) as f64,
             at: [0; 3],
             known: [true; 3],
             written: [false; 3],
@@ -156,7 +156,7 @@ impl BlockWriter {
     }
 
     fn feed_units(&self, per_minute: f64) -> i64 {
-        let scale = power_of_ten(self.facts.feed_decimals);
+        let scale = 10_u64.pow(self.facts.feed_decimals) as f64;
         #[expect(clippy::cast_possible_truncation, reason = "casts saturate")]
         let scaled = (per_minute * scale).round() as i64;
         scaled.max(1)
@@ -414,12 +414,4 @@ pub(super) fn comment(style: Comments, text: &str) -> String {
         comment.push(')');
     }
     comment
-}
-
-fn power_of_ten(exponent: usize) -> f64 {
-    let mut power = 1.0;
-    for _ in 0..exponent {
-        power *= 10.0;
-    }
-    power
 }

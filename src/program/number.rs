@@ -1,6 +1,6 @@
 //! Numbers as programs write them: strict to read, short to write.
 
-use crate::geometry::parse_decimal;
+use crate::geometry::{parse_decimal, push_fixed};
 
 /// Largest number a word may have: the range of coordinates in mm.
 const MAX_NUMBER: f64 = 1e9;
@@ -33,21 +33,9 @@ pub(super) fn whole(value: f64) -> Option<u32> {
 }
 
 /// Writes `scaled / 10^decimals` without trailing zeros and without a negative zero.
-pub(super) fn push_scaled(text: &mut String, scaled: i64, decimals: usize) {
-    if scaled < 0 {
-        text.push('-');
-    }
-    let digits = scaled.unsigned_abs().to_string();
-    let whole_digits = digits.len().saturating_sub(decimals);
-    let (whole, fraction) = digits.split_at_checked(whole_digits).unwrap_or((&digits, ""));
-    text.push_str(if whole.is_empty() { "0" } else { whole });
-    let fraction = fraction.trim_end_matches('0');
-    if !fraction.is_empty() {
-        text.push('.');
-        let leading_zeros = decimals - (digits.len() - whole_digits);
-        text.extend(std::iter::repeat_n('0', leading_zeros));
-        text.push_str(fraction);
-    }
+pub(super) fn push_scaled(text: &mut String, scaled: i64, decimals: u32) {
+    let (units, one) = (scaled.unsigned_abs(), 10_u64.pow(decimals));
+    push_fixed(text, scaled < 0, [units / one, units % one], decimals);
 }
 
 /// Writes a word with up to six decimals, as programs do not carry more.

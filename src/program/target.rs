@@ -67,9 +67,9 @@ pub(super) struct Facts {
     /// The block that chooses the coordinate system where the program says nothing about it.
     pub(super) frame: &'static str,
     /// Decimals of a coordinate in millimetres.
-    pub(super) decimals: usize,
+    pub(super) decimals: u32,
     /// Decimals of a feed in mm/min.
-    pub(super) feed_decimals: usize,
+    pub(super) feed_decimals: u32,
     /// Whether a coordinate without a decimal point means thousandths.
     pub(super) point: bool,
     /// Whether a program stands between `%`, has a number (O) and numbers its blocks (N).
