@@ -207,6 +207,23 @@ impl Nurbs {
     }
 }
 
+/// The root of a positive number, by Newton's method from above, where it descends until rounding ends
+/// it; `powf` would bring two kilobytes of code.
+fn root(number: f64, degree: usize) -> f64 {
+    let mut root = number.max(1.0);
+    loop {
+        let mut power = 1.0;
+        for _ in 1..degree {
+            power *= root;
+        }
+        let next = root - (root - number / power) / degree as f64;
+        if !(next < root) {
+            return root;
+        }
+        root = next;
+    }
+}
+
 /// The point of a weighted point [mm].
 fn projected(point: DVec3) -> DVec2 {
     point.truncate() / point.z
@@ -243,7 +260,7 @@ fn approximate(
     }
     let last = bezier.len() - 1;
     // The same curve by another parameter, with equal weights at its ends (Farin 1983).
-    let ratio = (bezier[0].z / bezier[last].z).powf(1.0 / last as f64);
+    let ratio = root(bezier[0].z / bezier[last].z, last);
     let mut scale = 1.0;
     for point in bezier.iter_mut() {
         *point *= scale;
@@ -288,4 +305,20 @@ fn error(bezier: &[DVec3], cubic: &Cubic) -> f64 {
     }
     let largest = sums.iter().map(|(sum, total)| sum.length() / total).fold(0.0, f64::max);
     if least > 0.0 { largest / least } else { f64::INFINITY }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::root;
+
+    #[test]
+    fn roots_of_any_degree_are_found() {
+        for degree in 1..12 {
+            for number in [1e-12, 0.3, 1.0, 2.0, 7.5, 1e9, 1e12] {
+                let found = root(number, degree);
+                let exact = number.powf(1.0 / degree as f64);
+                assert!((found / exact - 1.0).abs() < 1e-14, "{degree} of {number}: {found}");
+            }
+        }
+    }
 }

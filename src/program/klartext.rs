@@ -185,7 +185,7 @@ impl BlockWriter {
         if scaled >= 0 {
             self.text.push('+');
         }
-        push_scaled(&mut self.text, scaled, self.facts.decimals + exponent as usize);
+        push_scaled(&mut self.text, scaled, self.facts.decimals + exponent);
         self.text.push_str("E+");
         push_scaled(&mut self.text, i64::from(exponent), 0);
     }
