@@ -15,11 +15,13 @@ main(async () => {
   await run("cargo", ["bench", ...offset]);
   await run("cargo", ["bench", ...peers, "--bench", "race", "--", ...largest]);
   await run("cargo", ["bench", ...peers, "--bench", "memory"]);
+  await run("cargo", ["bench", ...peers, "--bench", "convert"]);
   console.log("\nWebAssembly in Node:");
   // As tests, since the runner has no clock of its own to benchmark with.
   const asTest = ["--target", wasmTarget, "--", "--nocapture"];
   await run("cargo", ["test", "--release", ...offset, ...asTest]);
   await run("cargo", ["test", "--release", ...peers, "--bench", "race", ...asTest]);
+  await run("cargo", ["test", "--release", ...peers, "--bench", "convert", ...asTest]);
   await buildPackage();
   await benchDrag();
 });

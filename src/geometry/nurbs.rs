@@ -10,7 +10,7 @@ use std::fmt;
 
 use glam::{DVec2, DVec3};
 
-use super::{Cubic, curve::checked_point};
+use super::{Cubic, curve::checked_point, nth_root};
 
 /// Highest order of a curve: controls stop at 6 or 7, and a higher one is a slip.
 const MOST_ORDER: usize = 16;
@@ -207,23 +207,6 @@ impl Nurbs {
     }
 }
 
-/// The root of a positive number, by Newton's method from above, where it descends until rounding ends
-/// it; `powf` would bring two kilobytes of code.
-fn root(number: f64, degree: usize) -> f64 {
-    let mut root = number.max(1.0);
-    loop {
-        let mut power = 1.0;
-        for _ in 1..degree {
-            power *= root;
-        }
-        let next = root - (root - number / power) / degree as f64;
-        if !(next < root) {
-            return root;
-        }
-        root = next;
-    }
-}
-
 /// The point of a weighted point [mm].
 fn projected(point: DVec3) -> DVec2 {
     point.truncate() / point.z
@@ -260,7 +243,7 @@ fn approximate(
     }
     let last = bezier.len() - 1;
     // The same curve by another parameter, with equal weights at its ends (Farin 1983).
-    let ratio = root(bezier[0].z / bezier[last].z, last);
+    let ratio = nth_root(bezier[0].z / bezier[last].z, u32::try_from(last).unwrap_or(u32::MAX));
     let mut scale = 1.0;
     for point in bezier.iter_mut() {
         *point *= scale;
@@ -305,20 +288,4 @@ fn error(bezier: &[DVec3], cubic: &Cubic) -> f64 {
     }
     let largest = sums.iter().map(|(sum, total)| sum.length() / total).fold(0.0, f64::max);
     if least > 0.0 { largest / least } else { f64::INFINITY }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::root;
-
-    #[test]
-    fn roots_of_any_degree_are_found() {
-        for degree in 1..12 {
-            for number in [1e-12, 0.3, 1.0, 2.0, 7.5, 1e9, 1e12] {
-                let found = root(number, degree);
-                let exact = number.powf(1.0 / degree as f64);
-                assert!((found / exact - 1.0).abs() < 1e-14, "{degree} of {number}: {found}");
-            }
-        }
-    }
 }

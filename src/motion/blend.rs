@@ -12,6 +12,7 @@
 use glam::DVec3;
 
 use super::{ByLength, CornerCurve, CornerShape, Frame, Piece};
+use crate::geometry::nth_root;
 
 /// A blend in its place.
 #[derive(Debug, Clone)]
@@ -69,7 +70,7 @@ impl Rough {
         let b = 4.0 * OF_CURVATURE * (start.curvature - end.curvature).length();
         let c = 8.0 * OF_SHARPNESS * (start.sharpness - end.sharpness).length();
         let mut leg =
-            (deviation / a).min((deviation / b).sqrt()).min((deviation / c).cbrt()).min(1e6);
+            (deviation / a).min((deviation / b).sqrt()).min(nth_root(deviation / c, 3)).min(1e6);
         for _ in 0..4 {
             let excess = leg * (a + leg * (b + leg * c)) - deviation;
             leg -= excess / (a + leg * (2.0 * b + leg * 3.0 * c)).max(f64::MIN_POSITIVE);

@@ -6,6 +6,7 @@ use super::sample::Sample;
 use super::speed::{Phase, Rates, rest_to_rest};
 use super::{Helix, Limits, LimitsError, Motion, Piece, Straight, Unwound};
 use crate::contour::{Move, MoveCurve};
+use crate::geometry::nth_root;
 
 /// Plans the motion along moves, from rest to rest.
 ///
@@ -142,7 +143,7 @@ impl Planner {
         if bend > 0.0 {
             // With v²κ ≤ 0.36 A, v³κ² ≤ 0.216 J, 3 v a κ ≤ 0.5 J and j ≤ 0.5 J both vectors are within
             // their limits: 0.36² + 0.6² < 1, (0.5 + 0.216)² + 0.5² < 1.
-            let jerk_cap = (limits.jerk / (bend * bend)).cbrt();
+            let jerk_cap = nth_root(limits.jerk / (bend * bend), 3);
             let chord = (8.0 * limits.chord_error / bend).sqrt() / limits.period;
             let velocity = (0.6 * (limits.acceleration / bend).sqrt().min(jerk_cap)).min(chord);
             rates.velocity = rates.velocity.min(velocity);

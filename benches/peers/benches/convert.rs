@@ -1,27 +1,37 @@
 //! Nanoseconds and bytes per block of the way from a program's text to the text of its compensated
-//! path, beside the crate `gcode` that only parses the same text.
+//! path, beside the crate `gcode` that only parses the same text; natively and as WebAssembly.
+#![cfg_attr(target_arch = "wasm32", no_main)]
 
 use std::fmt::Write;
 use std::hint::black_box;
-use std::time::{Duration, Instant};
 
 use g41::compensation::Options;
 use g41::program::{Dialect, EmitOptions, Program, Rules, emit, interpret};
 use g41::simulation::{Tools, compensate_program};
 use peak_alloc::PeakAlloc;
+use peers::race::{now, print};
 
 #[global_allocator]
 static ALLOCATOR: PeakAlloc = PeakAlloc;
 
+#[cfg(not(target_arch = "wasm32"))]
 fn main() {
-    println!(
-        "| program, blocks | read | compensate | write | all | bytes | `gcode` parses | bytes |"
-    );
-    println!("| --- | --- | --- | --- | --- | --- | --- | --- |");
+    table();
+}
+
+#[cfg(target_arch = "wasm32")]
+#[wasm_bindgen_test::wasm_bindgen_test]
+fn print_table() {
+    table();
+}
+
+fn table() {
+    print("| program, blocks | read | compensate | write | all | bytes | `gcode` parses | bytes |");
+    print("| --- | --- | --- | --- | --- | --- | --- | --- |");
     for count in [10_000, 100_000, 1_000_000] {
         row("parts", &parts(count));
     }
-    for count in [10_000, 100_000] {
+    for count in [10_000, 100_000, 1_000_000] {
         row("one contour", &one_contour(count));
     }
 }
@@ -30,12 +40,11 @@ fn row(name: &str, text: &str) {
     let blocks = text.lines().count() as f64;
     let before = ALLOCATOR.current_usage();
     ALLOCATOR.reset_peak_usage();
-    let origin = Instant::now();
-    let start = busy(origin);
+    let start = busy();
     let mut last = start;
     let mut step = || {
-        let now = busy(origin);
-        (now - std::mem::replace(&mut last, now)).as_nanos() as f64 / blocks
+        let now = busy();
+        (now - std::mem::replace(&mut last, now)) / blocks
     };
     let read = interpret(&Program::parse(text, Dialect::Auto), Rules::default());
     let reading = step();
@@ -43,26 +52,26 @@ fn row(name: &str, text: &str) {
     let compensating = step();
     let written = black_box(emit(&path, &EmitOptions::default()));
     let writing = step();
-    let all = (busy(origin) - start).as_nanos() as f64 / blocks;
+    let all = (busy() - start) / blocks;
     let peak = (ALLOCATOR.peak_usage() - before) as f64 / blocks;
     assert!(written.text.lines().count() as f64 > 0.9 * blocks, "it is all there");
     drop((read, path, written));
     ALLOCATOR.reset_peak_usage();
-    let start = busy(origin);
+    let start = busy();
     let parsed = black_box(gcode::parse(text).expect("it is G-code"));
-    let theirs = (busy(origin) - start).as_nanos() as f64 / blocks;
+    let theirs = (busy() - start) / blocks;
     let their_peak = (ALLOCATOR.peak_usage() - before) as f64 / blocks;
     drop(parsed);
-    println!(
+    print(&format!(
         "| {name} {blocks} | {reading:.0} | {compensating:.0} | {writing:.0} | {all:.0} | {peak:.0} | {theirs:.0} | {their_peak:.0} |"
-    );
+    ));
 }
 
-/// Processor time of this thread where the system tells it, else the time since `origin`.
-fn busy(origin: Instant) -> Duration {
+/// Processor time of this thread where the system tells it, else the time by the clock [ns].
+fn busy() -> f64 {
     let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok();
     let nanos = told.and_then(|text| text.split(' ').next()?.parse().ok());
-    nanos.map_or_else(|| origin.elapsed(), Duration::from_nanos)
+    nanos.unwrap_or_else(now)
 }
 
 /// Parts on a grid: each a rounded outline with G41, an engraved spline, and 60 blocks of a surface.

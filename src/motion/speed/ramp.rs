@@ -1,6 +1,7 @@
 //! Ramps of velocity on a straight stretch: acceleration and jerk zero at both ends, snap bounded.
 
 use super::law::{Phase, State};
+use crate::geometry::nth_root;
 
 /// Bounds of the rates along a path.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,7 +42,7 @@ impl Times {
         }
         let least = 2.0 * snap * rise * rise * rise;
         if difference <= least {
-            return Self { rise: (difference / (2.0 * snap)).cbrt(), stay: 0.0, hold: 0.0 };
+            return Self { rise: nth_root(difference / (2.0 * snap), 3), stay: 0.0, hold: 0.0 };
         }
         // peak (rise + stay)(2 rise + stay) = difference, quadratic in rise + stay.
         let sum = f64::midpoint(-rise, (rise * rise + 4.0 * difference / peak).sqrt());
