@@ -76,6 +76,6 @@ pub fn options(tolerance: f64) -> Options {
 pub fn spline_of(contour: &Contour) -> Option<&Spline> {
     match &contour.segments().first()?.curve {
         Curve::Spline(spline) => Some(spline),
-        Curve::Line(_) | Curve::Arc(_) => None,
+        Curve::Line(_) | Curve::Arc(_) | Curve::Involute(_) => None,
     }
 }

@@ -277,7 +277,7 @@ fn polygon(contour: &Contour) -> PathD {
                     flatten_cubic(piece, TOLERANCE, &mut |point| points.push(point));
                 }
             }
-            Curve::Arc(_) => {}
+            Curve::Arc(_) | Curve::Involute(_) => {}
         }
     }
     points.pop();

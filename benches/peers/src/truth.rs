@@ -24,7 +24,7 @@ pub struct Verdict {
     pub error: f64,
 }
 
-/// The curve of a move as a cubic; arcs do not come up on curves without corners.
+/// The curve of a move as a cubic; arcs and involutes do not come up on curves without corners.
 fn bezier(curve: &MoveCurve) -> Option<Bezier> {
     match curve {
         MoveCurve::Line(line) => {
@@ -32,7 +32,7 @@ fn bezier(curve: &MoveCurve) -> Option<Bezier> {
             Some([a, a.lerp(b, 1.0 / 3.0), a.lerp(b, 2.0 / 3.0), b])
         }
         MoveCurve::Cubic(cubic) => Some(cubic.points),
-        MoveCurve::Arc(_) | MoveCurve::Vertical(_) => None,
+        MoveCurve::Arc(_) | MoveCurve::Involute(_) | MoveCurve::Vertical(_) => None,
     }
 }
 
