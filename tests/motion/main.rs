@@ -4,6 +4,7 @@
 mod common;
 
 mod corners;
+mod fit;
 mod interpolation;
 mod involutes;
 mod lengths;

@@ -37,7 +37,7 @@ const WINDOW: usize = 384;
 const MOST_FINE: usize = 256;
 
 /// The part of the tolerance to which the polygon is looked at without its noise.
-const COARSE: f64 = 0.75;
+const COARSE: f64 = 1.2;
 
 /// How far the place moves on, per length, where a leg leads back along the coarse polygon.
 const BACKWARD: f64 = 1e-3;

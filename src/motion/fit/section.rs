@@ -24,6 +24,10 @@ const ATTEMPTS: usize = 8;
 /// By how much knots are drawn together then.
 const REFINEMENT: f64 = 0.6;
 
+/// How many tries may fail in a window, so that a path that no spline follows takes bounded time; then
+/// the polygon is kept.
+const BUDGET: usize = 16;
+
 /// The fewest intervals of a spline between two straight lines: five control points lie on each.
 const FEWEST: usize = 6;
 
@@ -68,8 +72,15 @@ impl Fitter {
         let certain = if all { last } else { (last as f64 * CERTAIN) as usize };
         let thinning = 2.0 * super::THINNING * self.tolerance;
         let tolerance = self.tolerance;
-        let mut walk =
-            Walk { vertices: &vertices, marks: &marks, mark: 0, tolerance, thinning, out };
+        let mut walk = Walk {
+            vertices: &vertices,
+            marks: &marks,
+            mark: 0,
+            tolerance,
+            thinning,
+            failures: 0,
+            out,
+        };
         let mut leg = 0;
         while leg < certain {
             if let Start::Corner { smooth } = self.start
@@ -152,7 +163,7 @@ impl Fitter {
                 return None;
             }
             let mut broken = Vec::new();
-            if tube.smooth(&mut broken) {
+            if walk.failures <= BUDGET && tube.smooth(&mut broken) {
                 let smooth = !matches!(self.start, Start::Corner { smooth: false });
                 for k in 0..keep {
                     walk.spline(&tube, k, smooth || k > 0);
@@ -165,9 +176,12 @@ impl Fitter {
                 }
                 return Some(self.after(end, layout, walk, true));
             }
-            if attempt < REFINEMENTS {
+            walk.failures += 1;
+            let off = broken.iter().filter(|broken| **broken).count();
+            let hopeless = walk.failures > BUDGET || 2 * off > count;
+            if attempt < REFINEMENTS && !hopeless {
                 refine(layout, &tube.controls, &broken, vertices);
-            } else if attempt < ATTEMPTS {
+            } else if attempt < ATTEMPTS && !hopeless {
                 layout.part(&tube.controls, &broken, vertices);
             } else {
                 // The polygon itself, from where the path has come to.
@@ -332,6 +346,8 @@ struct Walk<'a> {
     /// How far the path may be from the given one [mm], and the polygon of it.
     tolerance: f64,
     thinning: f64,
+    /// Tries that failed so far.
+    failures: usize,
     out: &'a mut Vec<Fitted>,
 }
 

@@ -35,6 +35,10 @@ const AIM: f64 = 0.9;
 const WEIGHT: f64 = 100.0;
 const GROWTH: f64 = 10.0;
 
+/// The least speed of the spline by the place along the polygon: about twice that where it rounds the
+/// sharpest corner; where it all but stands, its length is hard to tell.
+const SLOWEST: f64 = 0.2;
+
 /// By how much more than it would a target moves each time.
 const RELAXATION: f64 = 1.6;
 
@@ -98,7 +102,7 @@ impl Tube<'_> {
             }
             broken.clear();
             for k in 0..samples.len() {
-                broken.push(self.farthest(k) > self.tolerance);
+                broken.push(self.farthest(k) > self.tolerance || !self.runs_on(k));
             }
             if !broken.contains(&true) {
                 return true;
@@ -272,6 +276,21 @@ impl Tube<'_> {
                 }
             }
         }
+    }
+
+    /// Whether an interval runs on along the polygon, without a place where it all but stands.
+    fn runs_on(&self, k: usize) -> bool {
+        let powers = powers(&self.controls[k..]);
+        let mut runs_on = true;
+        for i in 0..=SAMPLES {
+            let t = i as f64 / SAMPLES as f64;
+            let mut slope = DVec4::ZERO;
+            for (i, power) in powers.iter().enumerate().skip(1).rev() {
+                slope = slope * t + *power * i as f64;
+            }
+            runs_on &= slope.xyz().length() > SLOWEST * slope.w;
+        }
+        runs_on
     }
 
     /// A bound for how far an interval is from the polygon [mm], and a tight one if it is within
