@@ -28,7 +28,7 @@ pub use limits::{AxisLimits, CurvatureSteps, Limits, LimitsError, Mode};
 pub use piece::{Frame, Piece};
 pub use plan::{Planner, plan};
 pub use quintic::Quintic;
-pub use sample::Motion;
+pub use sample::{MOST_SAMPLES, Motion};
 pub use straight::Straight;
 pub use track::{Joint, Placed, Stretch, TrackBuilder, pieces, track};
 pub use unwound::Unwound;

@@ -6,6 +6,10 @@ use glam::DVec3;
 
 use crate::geometry::Decimal;
 
+/// Most samples of one motion: more than two hours at a millisecond. They take 600 MB, and what would
+/// come after them is left out.
+pub const MOST_SAMPLES: usize = 1 << 23;
+
 /// Where the tool is, and how fast, at multiples of the interpolation period from 0, and at the
 /// end.
 ///
@@ -76,6 +80,9 @@ impl Motion {
     }
 
     pub(super) fn push(&mut self, sample: Sample) {
+        if self.len() >= MOST_SAMPLES {
+            return;
+        }
         let [velocity, tangential, normal, jerk] = sample.rates;
         let row = [
             sample.time,

@@ -5,10 +5,7 @@ use glam::DVec3;
 use super::passed_words::for_words;
 use crate::contour::{AuxiliaryWords, Move, MoveCurve, Plane, Role, ToolPath};
 use crate::geometry::Line;
-use crate::motion::{Limits, LimitsError, Motion, Planner};
-
-/// Most samples of one motion: four hours at a millisecond. They take more than a gigabyte.
-const MOST_SAMPLES: usize = 1 << 24;
+use crate::motion::{Limits, LimitsError, MOST_SAMPLES, Motion, Planner};
 
 /// Distance from which on two moves do not follow each other [mm]: what rounding does not reach.
 const GAP: f64 = 1e-6;
@@ -92,7 +89,7 @@ impl Course {
     /// That there are not too many samples.
     fn check(&self) -> Result<(), LimitsError> {
         let most = MOST_SAMPLES as f64;
-        if self.least > most * self.limits.period || self.motion.len() > MOST_SAMPLES {
+        if self.least > most * self.limits.period || self.motion.len() >= MOST_SAMPLES {
             return Err(LimitsError { name: "period" });
         }
         Ok(())

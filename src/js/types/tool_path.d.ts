@@ -86,7 +86,7 @@ export class ToolPath {
    * where the limits allow it, dwells (G4) waited, G61, G61.1 and G64 with P obeyed. From one piece of the
    * path to the next it goes straight, at the velocity of the limits.
    *
-   * @throws {G41Error} `"bad-argument"` (also where the period makes more than 16 million samples)
+   * @throws {G41Error} `"bad-argument"` (also where the period makes more than 8 million samples)
    */
   plan(limits: Limits): Motion;
   /** The path for a canvas, rapid moves apart; only where the environment has `Path2D`. */
