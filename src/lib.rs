@@ -89,6 +89,8 @@
 //! * R. T. Farouki, "Pythagorean-Hodograph Curves", 2008: curves whose arc length is a polynomial,
 //!   which round corners in [`motion`].
 //! * K. M. Bolton, "Biarc curves", 1975: arcs through points and tangents.
+//! * S. Boyd and others, "Distributed Optimization and Statistical Learning via the Alternating
+//!   Direction Method of Multipliers", 2011, section 3: the smoothest spline inside a tube.
 
 pub mod compensation;
 pub mod contour;
