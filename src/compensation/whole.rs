@@ -234,7 +234,7 @@ impl Watch<'_> {
             let Some(curve) = self.curve(other) else { return };
             let known = deepest.map_or(self.radius - self.least, |cut| cut.depth);
             // Not even their boxes come as near.
-            if self.radius - gap(&bounds, &curve.hull_bounds()) <= known {
+            if self.radius - bounds.gap_squared(&curve.hull_bounds()).sqrt() <= known {
                 return;
             }
             let (distance, at) = approach(one, &curve);
@@ -286,11 +286,6 @@ impl Watch<'_> {
         };
         within(cut.from, cut.into) || within(cut.into, cut.from)
     }
-}
-
-/// Distance between two boxes [mm].
-fn gap(a: &Bounds, b: &Bounds) -> f64 {
-    (a.min - b.max).max(b.min - a.max).max(DVec2::ZERO).length()
 }
 
 /// The least distance of two curves [mm] as stepping from one to the other finds it, and the place on

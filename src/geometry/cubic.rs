@@ -165,7 +165,12 @@ impl Cubic {
     /// The box around the control points: quicker than [`bounds`](Self::bounds), not smaller.
     #[must_use]
     pub fn hull_bounds(&self) -> Bounds {
-        Bounds::of(self.points)
+        let [start, p1, p2, p3] = self.points;
+        let mut bounds = Bounds { min: start, max: start };
+        bounds.add(p1);
+        bounds.add(p2);
+        bounds.add(p3);
+        bounds
     }
 
     /// The point of the curve nearest to `point`: the best root of `(C − P) · C' = 0`, a

@@ -167,8 +167,9 @@ impl OrderTree {
         distance: f64,
         visit: &mut dyn FnMut(usize) -> bool,
     ) -> bool {
+        let point = Bounds { min: point, max: point };
         distance <= 0.0
-            || self.near_below(self.levels.len() - 1, 0, point, distance * distance, visit)
+            || self.near_below(self.levels.len() - 1, 0, &point, distance * distance, visit)
     }
 
     /// Calls `visit` with every unit whose contour's box is nearer to `bounds` than `distance` [mm].
@@ -189,9 +190,7 @@ impl OrderTree {
         squared: f64,
         visit: &mut dyn FnMut(usize),
     ) {
-        let around = &self.levels[level][index].contour;
-        let gap = (around.min - bounds.max).max(bounds.min - around.max).max(DVec2::ZERO);
-        if gap.length_squared() >= squared {
+        if self.levels[level][index].contour.gap_squared(bounds) >= squared {
             return;
         }
         if level == 0 {
@@ -207,13 +206,11 @@ impl OrderTree {
         &self,
         level: usize,
         index: usize,
-        point: DVec2,
+        point: &Bounds,
         squared: f64,
         visit: &mut dyn FnMut(usize) -> bool,
     ) -> bool {
-        let around = &self.levels[level][index].contour;
-        let gap = (around.min - point).max(point - around.max).max(DVec2::ZERO);
-        if gap.length_squared() >= squared {
+        if self.levels[level][index].contour.gap_squared(point) >= squared {
             return true;
         }
         if level == 0 {
@@ -221,6 +218,25 @@ impl OrderTree {
         }
         let end = self.levels[level - 1].len().min(FAN * (index + 1));
         (FAN * index..end).all(|child| self.near_below(level - 1, child, point, squared, visit))
+    }
+
+    /// Where the contour heads along a stretch of units, if all of them fit.
+    fn heading(&self, mut from: usize, to: usize) -> Option<Octants> {
+        let mut octants = Octants::default();
+        while from < to {
+            // The highest node that begins here and does not reach beyond the end.
+            let (mut level, mut index, mut width) = (0, from, 1);
+            while index % FAN == 0 && from + FAN * width <= to && level + 1 < self.levels.len() {
+                (level, index, width) = (level + 1, index / FAN, FAN * width);
+            }
+            let node = &self.levels[level][index];
+            octants = octants.union(node.octants);
+            if !node.fits || !octants.is_narrow() {
+                return None;
+            }
+            from += width;
+        }
+        Some(octants)
     }
 
     /// The stretch of units around one that is tame all in all, at most `most` to each side.
@@ -257,6 +273,10 @@ impl OrderTree {
 fn around(nodes: &[Node]) -> Node {
     let (first, rest) = (nodes[0], &nodes[1..]);
     rest.iter().fold(first, |all, node| all.union(node))
+}
+
+fn join((a, b): (Octants, Octants)) -> Octants {
+    a.union(b)
 }
 
 /// A walk over all pairs that may be near.
@@ -301,6 +321,9 @@ impl Join<'_> {
             return;
         }
         if level == 0 {
+            if self.is_tame_between(a, b) {
+                return;
+            }
             for (open, [path, contour]) in open.into_iter().zip([[a, b], [b, a]]) {
                 if open {
                     self.marks.levels[0][path] |= SUSPECT;
@@ -326,17 +349,29 @@ impl Join<'_> {
             return false;
         }
         let (path, contour) = (&path.path, &contour.contour);
-        let apart = (path.min - contour.max).max(contour.min - path.max);
-        if apart.max(DVec2::ZERO).length_squared() >= self.limits.reach * self.limits.reach {
+        if path.gap_squared(contour) >= self.limits.reach * self.limits.reach {
             return false;
         }
         let least = self.limits.least;
-        let farthest = (path.max - contour.min).max(contour.max - path.min);
-        if least > 0.0 && farthest.length_squared() < least * least {
+        if least > 0.0 && path.span_squared(contour) < least * least {
             self.marks.all(level, p, GOUGED | SUSPECT);
             return false;
         }
         true
+    }
+
+    /// Whether the stretch from one unit to another is tame, either way round a closed contour.
+    ///
+    /// What nodes tell depends on where their stretches begin; this does not, so that the same part of
+    /// a contour gets the same marks wherever it lies in a list.
+    fn is_tame_between(&self, a: usize, b: usize) -> bool {
+        let range = self.ranges.partition_point(|range| range.to <= a);
+        let all = |from: usize, to: usize| self.tree.heading(from, to);
+        let is_narrow = |octants: Option<Octants>| octants.is_some_and(Octants::is_narrow);
+        is_narrow(all(a, b + 1))
+            || self.ranges.get(range).is_some_and(|r| {
+                r.closed && b < r.to && is_narrow(all(b, r.to).zip(all(r.from, a + 1)).map(join))
+            })
     }
 
     /// Whether two nodes follow each other and are tame together.
