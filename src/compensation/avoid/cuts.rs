@@ -6,7 +6,7 @@ use super::fences::each_fence;
 use super::index::BoxTree;
 use super::sieve::{Clearance, Fate};
 use super::tree::{Marks, OrderTree};
-use super::units::{Piece, Workpiece};
+use super::units::Workpiece;
 use crate::compensation::meet::meet;
 use crate::geometry::sort_long;
 
@@ -129,8 +129,8 @@ impl Survey<'_> {
                 kept.push(stretch);
                 continue;
             }
-            let Piece { curve, unit, .. } = &self.work.pieces[stretch.piece];
-            let mut is_clear = |t: f64| clearance.is_clear(curve.point(t), *unit as usize);
+            let curve = &self.work.pieces[stretch.piece].curve;
+            let mut is_clear = |t: f64| clearance.is_clear_on(stretch.piece, t);
             let whole = stretch.from == 0.0 && stretch.to == 1.0;
             let size = curve.hull_bounds().size().max_element();
             if whole && size <= SHORT * self.radius {

@@ -16,6 +16,10 @@ use crate::geometry::{Bounds, Cubic, direction};
 /// Units to each side that are looked at to find the tame stretch around one.
 const TAME_REACH: usize = 24;
 
+/// Units beside a piece of which it is kept which they are; of a long piece beside many they are looked
+/// for at each place.
+const MOST_BESIDE: usize = 64;
+
 /// Whether a place of the raw path is clear of the contour.
 #[derive(Debug)]
 pub(super) struct Clearance<'a> {
@@ -27,11 +31,14 @@ pub(super) struct Clearance<'a> {
     hint: usize,
     /// The stretch of units that the last place's unit is surely clear of, and that unit.
     tame: (usize, [usize; 2]),
+    /// The last piece asked about, and the units that it may be too near to, but for the tame ones.
+    beside: (usize, Vec<usize>),
 }
 
 impl<'a> Clearance<'a> {
     pub(super) fn new(work: &'a Workpiece<'a>, tree: &'a OrderTree, least: f64) -> Self {
-        Self { work, tree, least, hint: 0, tame: (usize::MAX, [0, 0]) }
+        let (tame, beside) = ((usize::MAX, [0, 0]), (usize::MAX, Vec::new()));
+        Self { work, tree, least, hint: 0, tame, beside }
     }
 
     /// The tame stretch around a unit.
@@ -69,18 +76,59 @@ impl<'a> Clearance<'a> {
     /// Whether `point` of the path of `unit` is far enough from all of the contour.
     ///
     /// What the path of the unit cannot be too near to, the tame stretch around it, is passed over.
-    pub(super) fn is_clear(&mut self, point: DVec2, unit: usize) -> bool {
+    fn is_clear(&mut self, point: DVec2, unit: usize) -> bool {
         let [from, to] = self.tame(unit);
         self.is_clear_except(point, [from, to])
     }
 
-    /// Whether `point` is far enough from all of the contour but the units of a stretch.
-    pub(super) fn is_clear_except(&mut self, point: DVec2, [from, to]: [usize; 2]) -> bool {
-        let hint = self.hint;
-        let known = hint < from || hint >= to;
-        if known && self.work.curve(hint).is_some_and(|curve| self.touches(&curve, point)) {
+    /// Whether the place at `t` of a piece is far enough from all of the contour but the tame stretch
+    /// around its unit: what may be near is looked for once for all of the piece.
+    pub(super) fn is_clear_on(&mut self, piece: usize, t: f64) -> bool {
+        let Piece { curve, unit, .. } = &self.work.pieces[piece];
+        let (point, tame) = (curve.point(t), self.tame(*unit as usize));
+        if self.is_near_hint(point, tame) {
             return false;
         }
+        if self.beside.0 != piece {
+            let mut found = std::mem::take(&mut self.beside.1);
+            found.clear();
+            self.tree.near_box(&curve.hull_bounds(), self.least.max(0.0), &mut |unit| {
+                if found.len() <= MOST_BESIDE && (unit < tame[0] || unit >= tame[1]) {
+                    found.push(unit);
+                }
+            });
+            self.beside = (piece, found);
+        }
+        if self.beside.1.len() > MOST_BESIDE {
+            return self.is_clear_of_all(point, tame);
+        }
+        let place = Bounds { min: point, max: point };
+        let squared = self.least * self.least;
+        for k in 0..self.beside.1.len() {
+            let unit = self.beside.1[k];
+            if self.tree.unit(unit).contour.gap_squared(&place) < squared
+                && self.work.curve(unit).is_some_and(|curve| self.is_nearer(&curve, point))
+            {
+                self.hint = unit;
+                return false;
+            }
+        }
+        true
+    }
+
+    /// Whether `point` is far enough from all of the contour but the units of a stretch.
+    pub(super) fn is_clear_except(&mut self, point: DVec2, except: [usize; 2]) -> bool {
+        !self.is_near_hint(point, except) && self.is_clear_of_all(point, except)
+    }
+
+    /// Whether the unit that was too near last is so again, as a quick look tells.
+    fn is_near_hint(&self, point: DVec2, [from, to]: [usize; 2]) -> bool {
+        let hint = self.hint;
+        (hint < from || hint >= to)
+            && self.work.curve(hint).is_some_and(|curve| self.touches(&curve, point))
+    }
+
+    fn is_clear_of_all(&mut self, point: DVec2, [from, to]: [usize; 2]) -> bool {
         let mut nearer = None;
         let clear = self.tree.near(point, self.least, &mut |unit| {
             let near = (unit < from || unit >= to)
@@ -90,7 +138,7 @@ impl<'a> Clearance<'a> {
             }
             !near
         });
-        self.hint = nearer.unwrap_or(hint);
+        self.hint = nearer.unwrap_or(self.hint);
         clear
     }
 

@@ -191,7 +191,7 @@ impl<'a> Workpiece<'a> {
                     last.kind == Kind::Segment && last.segment == this.segment
                 };
                 scratch.clear();
-                let tight = rough(&cubic, tolerance);
+                let tight = if is_slender(&cubic) { f64::INFINITY } else { tolerance };
                 let tolerances = Tolerances { tight, ..Tolerances::even(tolerance) };
                 let before = before.filter(|_| inside);
                 offset_span_roughly(&cubic, offset, tolerances, before, &mut scratch);
@@ -254,9 +254,13 @@ pub(super) fn index(value: usize) -> u32 {
 
 /// How near the offset of a span is made where it is going to be cut or dropped [mm].
 pub(super) fn rough(cubic: &Cubic, tolerance: f64) -> f64 {
-    // Of a span that turns far it cannot be told which pieces run back and are dropped anyway.
-    let slender = Octants::of_cubic(cubic).is_slender();
-    if slender { tolerance.max(ROUGH * cubic.hull_length()) } else { tolerance }
+    if is_slender(cubic) { tolerance.max(ROUGH * cubic.hull_length()) } else { tolerance }
+}
+
+/// Whether a span is known to turn so little that the pieces between its cusps run back and are dropped,
+/// whatever they are.
+fn is_slender(cubic: &Cubic) -> bool {
+    Octants::of_cubic(cubic).is_slender()
 }
 
 fn spans_of(segment: &Segment) -> usize {
@@ -397,7 +401,8 @@ impl Maker<'_> {
                     let cubic = &spline.pieces()[span];
                     scratch.clear();
                     let coarse = rough(cubic, fitting);
-                    let tolerances = Tolerances { fitting, beside_cusps: coarse, tight: coarse };
+                    let tight = if is_slender(cubic) { f64::INFINITY } else { fitting };
+                    let tolerances = Tolerances { fitting, beside_cusps: coarse, tight };
                     let fits = offset_span_roughly(cubic, offset, tolerances, before, &mut scratch);
                     before = scratch.last().map_or(before, |last| Some(last.end()));
                     let mut path = self.pieces(&scratch);

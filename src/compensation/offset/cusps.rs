@@ -5,6 +5,7 @@
 //! `3 |C'| (C' · C'') − δ (C' × C''')` stretches on which it has one root at most; what is left is
 //! halved, so that no pair of cusps can hide between two samples.
 
+use super::proof::range;
 use crate::geometry::{Cubic, cross, halve};
 
 /// Where `|1 − δκ|` stays below this the offset all but stands still, whatever its sign: it moves by
@@ -112,8 +113,8 @@ impl Terms {
 
     /// Sign of `|C'|³ − δ (C' × C'')` over the whole stretch, from bounds of both terms.
     fn sign(&self) -> Sign {
-        let (slowest, fastest) = range(&self.speed_squared);
-        let (least, most) = range(&self.bend);
+        let [slowest, fastest] = range(&self.speed_squared);
+        let [least, most] = range(&self.bend);
         let (slow, fast) = (slowest.max(0.0).sqrt(), fastest.sqrt());
         // Speed cubed.
         let (slowest, fastest) = (slowest.max(0.0) * slow, fastest * fast);
@@ -136,19 +137,12 @@ impl Terms {
         let s = &self.speed_squared;
         let [b0, b1, b2] = self.bend;
         // (|C'|²)' = 2 C' · C'', of degree 3 by differences.
-        let (least, most) = range(&[s[1] - s[0], s[2] - s[1], s[3] - s[2], s[4] - s[3]]);
-        let (least_turn, most_turn) = range(&[b1 - b0, b2 - b1]);
+        let [least, most] = range(&[s[1] - s[0], s[2] - s[1], s[3] - s[2], s[4] - s[3]]);
+        let [least_turn, most_turn] = range(&[b1 - b0, b2 - b1]);
         let low = 6.0 * least * if least > 0.0 { slowest } else { fastest };
         let high = 6.0 * most * if most > 0.0 { fastest } else { slowest };
         low > 2.0 * most_turn || high < 2.0 * least_turn
     }
-}
-
-/// Least and largest value.
-fn range(values: &[f64]) -> (f64, f64) {
-    values.iter().fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), &value| {
-        (least.min(value), most.max(value))
-    })
 }
 
 /// The sign change in a bracket with the given values at its ends: regula falsi in the Illinois

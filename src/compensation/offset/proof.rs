@@ -106,7 +106,7 @@ impl Speed {
 
     /// Least product of two control vectors [mm²].
     fn least_product(&self) -> f64 {
-        self.products.iter().copied().fold(f64::INFINITY, f64::min)
+        range(&self.products)[0]
     }
 
     /// Least and largest `factor C' × C''`.
@@ -335,14 +335,24 @@ fn unscaled<const N: usize>(scaled: &[f64; N], binomial: &[f64; N]) -> [f64; N] 
 
 /// Largest absolute value.
 fn largest(values: &[f64]) -> f64 {
-    values.iter().fold(0.0, |most, value| most.max(value.abs()))
+    let [least, most] = range(values);
+    let most = if -least > most { -least } else { most };
+    if most > 0.0 { most } else { 0.0 }
 }
 
-/// Least and largest value.
-fn range(values: &[f64]) -> [f64; 2] {
-    values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[least, most], &value| {
-        [least.min(value), most.max(value)]
-    })
+/// Least and largest value, whatever is not a number left out.
+pub(super) fn range(values: &[f64]) -> [f64; 2] {
+    let (mut least, mut most) = (f64::INFINITY, f64::NEG_INFINITY);
+    for &value in values {
+        // Not `min` and `max`, which are calls of functions in WebAssembly.
+        if value < least {
+            least = value;
+        }
+        if value > most {
+            most = value;
+        }
+    }
+    [least, most]
 }
 
 /// Bounds of a polynomial of degree 10 at most from its Bernstein coefficients, after as many

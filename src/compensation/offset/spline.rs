@@ -91,7 +91,7 @@ pub(in crate::compensation) struct Tolerances {
     pub(in crate::compensation) fitting: f64,
     /// Where it fits on other spans.
     pub(in crate::compensation) beside_cusps: f64,
-    /// Where it does not fit.
+    /// Where it does not fit; infinite where any piece will do.
     pub(in crate::compensation) tight: f64,
 }
 
@@ -277,7 +277,8 @@ fn fit(source: &Source, range: [f64; 2], ends: [End; 2], effort: Effort, emit: &
 /// One piece for the whole of `source`, if one is good enough.
 fn good_piece(source: &Source, hermite: &Cubic, effort: Effort) -> Option<Cubic> {
     let tolerance = effort.tolerance;
-    if source.compared(hermite).at_same_parameter() <= tolerance
+    if tolerance == f64::INFINITY
+        || source.compared(hermite).at_same_parameter() <= tolerance
         || effort.depth == DEEPEST
         || source.by_length(hermite) <= tolerance
     {
