@@ -46,6 +46,9 @@ pub struct SplineEdit {
     intervals: Vec<f64>,
     /// Derivative by the parameter at each type point.
     derivatives: Vec<DVec2>,
+    /// What each was when its spans were last told to have changed, so that what edits leave below
+    /// the threshold does not add up.
+    told: Vec<DVec2>,
     /// Sum of the intervals.
     total: f64,
     ends: SplineEnds,
@@ -61,10 +64,11 @@ impl SplineEdit {
         let intervals: Vec<f64> =
             points.windows(2).map(|pair| parameter.interval(pair[0].distance(pair[1]))).collect();
         let total = intervals.iter().sum();
-        let derivatives = vec![DVec2::ZERO; points.len()];
-        let mut edit =
-            Self { points, intervals, derivatives, total, ends: spline.ends(), parameter };
+        let (ends, derivatives) = (spline.ends(), vec![DVec2::ZERO; points.len()]);
+        let told = Vec::new();
+        let mut edit = Self { points, intervals, derivatives, told, total, ends, parameter };
         edit.solve_all();
+        edit.told.clone_from(&edit.derivatives);
         edit
     }
 
@@ -153,6 +157,7 @@ impl SplineEdit {
         self.intervals[index - 1] = before;
         self.intervals.insert(index, after);
         self.derivatives.insert(index, DVec2::ZERO);
+        self.told.insert(index, DVec2::ZERO);
         Ok(self.solve_around(index, least))
     }
 
@@ -165,6 +170,7 @@ impl SplineEdit {
         self.total += interval - self.intervals[index - 1] - self.intervals[index];
         self.points.remove(index);
         self.derivatives.remove(index);
+        self.told.remove(index);
         self.intervals.remove(index);
         self.intervals[index - 1] = interval;
         Ok(self.solve_around(index, least))
@@ -248,7 +254,6 @@ impl SplineEdit {
             (first, (index + WINDOW + 1).min(unknowns) - first)
         };
         let place = |k: usize| (first + k) % unknowns;
-        let old: Vec<DVec2> = (0..count).map(|k| self.derivatives[place(k)]).collect();
         if whole {
             self.solve_all();
         } else {
@@ -273,11 +278,14 @@ impl SplineEdit {
         }
         let at = (index + unknowns - first) % unknowns;
         let changed = |k: usize| {
-            let change = self.derivatives[place(k)].distance(old[k]);
+            let change = self.derivatives[place(k)].distance(self.told[place(k)]);
             change * self.lever(place(k), least.beside) > least.by
         };
         let low = (0..at).find(|&k| changed(k)).unwrap_or(at);
         let high = (at..count).rev().find(|&k| changed(k)).unwrap_or(at);
+        for k in low..=high {
+            self.told[place(k)] = self.derivatives[place(k)];
+        }
         // A derivative belongs to the spans on both sides; those beside the point itself differ
         // even where no derivative does.
         let spans = self.spans();

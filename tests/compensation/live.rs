@@ -359,10 +359,8 @@ fn gouges_are_avoided_around_an_edit_as_they_are_afresh() {
             assert_eq!(told, None, "seed {seed}, step {step}: vertex of {:?}", update.path);
             shown = new.to_vec();
             if step % 5 == 0 {
-                // A stretch beside a gouge may be offset more finely than need be, as only its
-                // neighbourhood is known to be clear or not: both are within the tolerance.
-                let error = avoided_error(&live);
-                assert!(error <= options.tolerance, "seed {seed}, step {step}: {error:e} mm");
+                let (error, bound) = (avoided_error(&live), options.tolerance / 100.0);
+                assert!(error <= bound, "seed {seed}, step {step}: {error:e} mm");
                 clear_of_the_contour(&live, radius - options.tolerance);
             }
         }
@@ -383,7 +381,10 @@ fn clear_of_the_contour(live: &LiveContour, least: f64) {
 
 #[test]
 fn gouges_of_all_segments_are_avoided_around_an_edit_as_they_are_afresh() {
-    for seed in 0..if cfg!(target_arch = "wasm32") { 3 } else { 40 } {
+    // Beside the first ones: leads that go far into the path, closed contours that cross themselves, and
+    // corners beside which alone something changes.
+    let first = if cfg!(target_arch = "wasm32") { 3 } else { 50 };
+    for seed in (0..first).chain([90, 168, 340, 415]) {
         let mut random = Random::new(5000 + seed);
         let closed = random.coin();
         let builder = mixed(&mut random, closed);
@@ -395,8 +396,8 @@ fn gouges_of_all_segments_are_avoided_around_an_edit_as_they_are_afresh() {
         for step in 0..STEPS / 150 {
             edit(&mut live, &mut random, 1.5);
             live.update();
-            let error = avoided_error(&live);
-            assert!(error <= options.tolerance, "seed {seed}, step {step}: {error:e} mm");
+            let (error, bound) = (avoided_error(&live), options.tolerance / 100.0);
+            assert!(error <= bound, "seed {seed}, step {step}: {error:e} mm");
         }
     }
 }

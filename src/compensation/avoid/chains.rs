@@ -4,6 +4,9 @@
 //! there: the tool changes over. So every end of a clear stretch is the start of another, and the
 //! stretches close up to loops, or to one path from the start to the end of an open contour.
 
+use glam::DVec2;
+
+use super::Whole;
 use super::cuts::{Stretch, following};
 use super::sieve::Clearance;
 use super::units::Workpiece;
@@ -60,6 +63,7 @@ pub(super) fn remove_unreached(
     stretches: &mut Vec<Stretch>,
     chains: &[Chain],
     stray: f64,
+    whole: &Whole,
     reaches: &mut dyn FnMut(&Stretch) -> bool,
 ) -> bool {
     let mut dead = Vec::new();
@@ -69,8 +73,8 @@ pub(super) fn remove_unreached(
             let Stretch { piece, from, to, .. } = stretches[k];
             work.pieces[piece].curve.length() * (to - from)
         };
-        let is_stray =
-            lost_ends(work, stretches, chain) == 2 && list.iter().map(length).sum::<f64>() <= stray;
+        let is_stray = lost_ends(work, stretches, chain, whole).len() == 2
+            && list.iter().map(length).sum::<f64>() <= stray;
         if !chain.closed && (is_stray || !list.iter().any(|&k| reaches(&stretches[k]))) {
             dead.resize(stretches.len(), false);
             for &k in list {
@@ -89,24 +93,37 @@ pub(super) fn remove_unreached(
     true
 }
 
-/// How many ends of a chain are neither an end of an open contour nor where the other side or the
+/// Which ends of a chain [mm] are neither an end of an open contour nor where the other side or the
 /// free end of one stands in the way; nothing can be there but where a closed contour crosses
 /// itself.
-pub(super) fn lost_ends(work: &Workpiece, stretches: &[Stretch], chain: &Chain) -> usize {
+pub(super) fn lost_ends(
+    work: &Workpiece,
+    stretches: &[Stretch],
+    chain: &Chain,
+    whole: &Whole,
+) -> Vec<DVec2> {
     let list = &chain.stretches;
     let (first, last) = (&stretches[list[0]], &stretches[list[list.len() - 1]]);
-    let starts = first.start.is_some() || first.from > 0.0 && is_closed(work, first);
-    let ends = last.end.is_some() || last.to < 1.0 && is_closed(work, last);
-    if chain.closed {
-        0
-    } else {
-        usize::from(starts || first.starts_from_nothing(work))
-            + usize::from(ends || last.ends_in_nothing(work))
+    let starts = first.start.is_some() || first.from > 0.0 && is_closed(work, first, whole);
+    let ends = last.end.is_some() || last.to < 1.0 && is_closed(work, last, whole);
+    let mut lost = Vec::new();
+    let mut add = |stretch: &Stretch, t: f64| {
+        let piece = &work.pieces[stretch.piece];
+        if (whole.counts)(work.segment(piece.unit as usize).attributes.origin) {
+            lost.push(piece.curve.point(t));
+        }
+    };
+    if !chain.closed && (starts || first.starts_from_nothing(work)) {
+        add(first, first.from);
     }
+    if !chain.closed && (ends || last.ends_in_nothing(work)) {
+        add(last, last.to);
+    }
+    lost
 }
 
-fn is_closed(work: &Workpiece, stretch: &Stretch) -> bool {
-    work.range_of(work.pieces[stretch.piece].unit as usize).closed
+fn is_closed(work: &Workpiece, stretch: &Stretch, whole: &Whole) -> bool {
+    whole.closed || work.range_of(work.pieces[stretch.piece].unit as usize).closed
 }
 
 /// For each stretch the one that follows it, and whether it follows one.

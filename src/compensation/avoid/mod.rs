@@ -29,6 +29,8 @@ mod units;
 
 use std::ops::Range;
 
+use glam::DVec2;
+
 use self::chains::{chains, lost_ends, remove_unreached};
 use self::cuts::{Stretch, Survey};
 use self::dead_ends::remove_dead_ends;
@@ -41,7 +43,7 @@ use super::assemble::finest_tolerance;
 use super::path::PathBuilder;
 use super::{Options, SplineMethod};
 use crate::contour::{Contour, Tool, ToolPath};
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Curve, Decimal};
 
 /// Part of the tolerance that offsets of splines may use up where the path is cut. Elsewhere they use
@@ -84,7 +86,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// Parts of the tolerance by which the tool is taken to be smaller where the path got lost: what
 /// touched exactly, or crossed at no angle to speak of, hardly does so for two radii.
-const SMALLER: [f64; 2] = [0.5, 0.3];
+const SMALLER: [f64; 3] = [0.0, 0.5, 0.3];
 
 /// The path of the centre of `tool` along `contour` without what it cannot reach.
 ///
@@ -138,16 +140,29 @@ pub(super) fn avoid_beside(
     avoid_jobs(&[job], tool.radius(), options)
 }
 
-/// The clear moves along stretches of one contour, without a word about what is left uncut; each
-/// is looked at as if there were nothing else. `has_spline` tells whether the whole contour has one.
+/// The clear moves along stretches of one contour, and which ends of their pieces got lost [mm].
+///
+/// Each stretch is looked at as if there were nothing else; `smaller` tells by which part of the
+/// tolerance the tool is to be smaller.
 pub(super) fn clear_path(
     stretches: &[Contour],
     tool: Tool,
     options: &Options,
-    has_spline: bool,
-) -> ToolPath {
+    whole: &Whole,
+    smaller: f64,
+) -> (ToolPath, Vec<DVec2>) {
     let jobs: Vec<Job> = stretches.iter().map(|contour| Job::new(contour, tool)).collect();
-    clear_jobs(&jobs, tool.radius(), options, has_spline, false).0
+    clear_jobs_by(&jobs, tool.radius(), options, whole, smaller)
+}
+
+/// What is to be known of the contour that stretches are part of.
+pub(super) struct Whole<'a> {
+    pub(super) closed: bool,
+    pub(super) has_spline: bool,
+    /// Whether a lost end on a segment of such an origin counts.
+    pub(super) counts: &'a dyn Fn(Origin) -> bool,
+    /// Whether it is to be told what is left uncut.
+    pub(super) tells_uncut: bool,
 }
 
 fn avoid_jobs(jobs: &[Job], radius: f64, options: &Options) -> ToolPath {
@@ -188,42 +203,81 @@ fn avoid_curves(jobs: &[Job], radius: f64, options: &Options) -> ToolPath {
     let has_spline = |job: &Job| {
         job.contour.segments().iter().any(|segment| matches!(segment.curve, Curve::Spline(_)))
     };
-    let (mut path, mut lost) = clear_jobs(jobs, radius, options, jobs.iter().any(has_spline), true);
-    for share in SMALLER {
-        if lost == 0 {
-            break;
-        }
-        let less = (share * options.usable_tolerance()).min(share * radius);
-        let (radius, tolerance) = (radius - less, options.usable_tolerance() - less);
-        let mut smaller = Vec::with_capacity(jobs.len());
-        for job in jobs {
-            let tool = Tool::new(radius, job.tool.side()).unwrap_or(job.tool);
-            smaller.push(Job { tool, ..*job });
-        }
-        let finer = Options { tolerance, ..*options };
-        let (other, still_lost) = clear_jobs(&smaller, radius, &finer, true, true);
-        if still_lost < lost {
-            (path, lost) = (other, still_lost);
-        }
-    }
-    path
+    let has_spline = jobs.iter().any(has_spline);
+    let whole = Whole { closed: false, has_spline, counts: &|_| true, tells_uncut: true };
+    let mut paths = Vec::new();
+    let best = best_of(&mut |smaller| {
+        let (path, lost) = clear_jobs_by(jobs, radius, options, &whole, smaller);
+        paths.push(path);
+        lost
+    });
+    paths.swap_remove(best.index)
 }
 
-/// The path, and the ends of its pieces that got lost.
+/// Looks for the path of which the fewest ends get lost, of one for the tool as it is and of others for
+/// smaller ones; `path` is told by which part of the tolerance, and tells which ends got lost [mm].
+pub(super) fn best_of(path: &mut dyn FnMut(f64) -> Vec<DVec2>) -> Best {
+    let mut best = Best { index: 0, smaller: 0.0, lost: Vec::new() };
+    let mut fewest = usize::MAX;
+    for (index, smaller) in SMALLER.into_iter().enumerate() {
+        let lost = path(smaller);
+        if lost.len() < fewest {
+            (best.index, best.smaller, fewest) = (index, smaller, lost.len());
+        }
+        if lost.is_empty() {
+            break;
+        }
+        best.lost.extend(lost);
+    }
+    best
+}
+
+/// The best of some paths.
+pub(super) struct Best {
+    /// The how manyth it was.
+    pub(super) index: usize,
+    /// By which part of the tolerance its tool is smaller.
+    pub(super) smaller: f64,
+    /// Which ends of any of them got lost [mm].
+    pub(super) lost: Vec<DVec2>,
+}
+
+/// The path of a tool that is smaller by a part of the tolerance, which leaves it the rest.
+fn clear_jobs_by(
+    jobs: &[Job],
+    radius: f64,
+    options: &Options,
+    whole: &Whole,
+    smaller: f64,
+) -> (ToolPath, Vec<DVec2>) {
+    if smaller == 0.0 {
+        return clear_jobs(jobs, radius, options, whole);
+    }
+    let less = (smaller * options.usable_tolerance()).min(smaller * radius);
+    let (radius, tolerance) = (radius - less, options.usable_tolerance() - less);
+    let mut with_smaller = Vec::with_capacity(jobs.len());
+    for job in jobs {
+        let tool = Tool::new(radius, job.tool.side()).unwrap_or(job.tool);
+        with_smaller.push(Job { tool, ..*job });
+    }
+    let finer = Options { tolerance, ..*options };
+    clear_jobs(&with_smaller, radius, &finer, &Whole { has_spline: true, ..*whole })
+}
+
+/// The path, and the ends of its pieces that got lost [mm].
 fn clear_jobs(
     jobs: &[Job],
     radius: f64,
     options: &Options,
-    has_spline: bool,
-    tells_uncut: bool,
-) -> (ToolPath, usize) {
+    whole: &Whole,
+) -> (ToolPath, Vec<DVec2>) {
     let finest = jobs.iter().map(|job| finest_tolerance(job.contour, job.tool)).fold(0.0, f64::max);
     let tolerance = options.usable_tolerance().max(finest);
     let options = &Options { tolerance, spline: SplineMethod::Exact, ..*options };
     let (mut work, nodes) = Workpiece::new(jobs, options);
     let tree = OrderTree::new(nodes);
     let loose = CLEAR_SHARE * tolerance;
-    let slack = if has_spline { loose } else { EXACT.max(finest).min(loose) };
+    let slack = if whole.has_spline { loose } else { EXACT.max(finest).min(loose) };
     let slack = slack + work.gap.min(GAP_SHARE * tolerance);
     let least = radius - slack;
     let marks = tree.marks(&work.ranges, Limits { reach: radius + tolerance, least });
@@ -233,6 +287,8 @@ fn clear_jobs(
         let sources = work.refine(finer, tolerance, &|piece| fates[piece] == Fate::Open);
         let mut clearance = Clearance::new(&work, &tree, least);
         let fate = |(piece, source): (usize, &Result<usize, usize>)| match *source {
+            // The one piece that there is still.
+            Ok(unit) if tree.unit(unit).fits && work.pieces_of(unit).len() == 1 => Fate::Open,
             Ok(unit) => clearance.fate(&work.pieces[piece].curve, unit, 0.0),
             Err(former) => fates[former],
         };
@@ -253,10 +309,13 @@ fn clear_jobs(
     let gap = short.min(0.25 * radius);
     let mut chained = chains(&work, &stretches, gap, &mut bridges);
     let stray = STRAY * tolerance;
-    if remove_unreached(&work, &mut stretches, &chained, stray, &mut reaches) {
+    if remove_unreached(&work, &mut stretches, &chained, stray, whole, &mut reaches) {
         chained = chains(&work, &stretches, gap, &mut bridges);
     }
-    let lost = chained.iter().map(|chain| lost_ends(&work, &stretches, chain)).sum();
+    let mut lost = Vec::new();
+    for chain in &chained {
+        lost.extend(lost_ends(&work, &stretches, chain, whole));
+    }
     let mut stitcher = Stitcher {
         work: &work,
         stretches: &stretches,
@@ -267,7 +326,7 @@ fn clear_jobs(
     };
     stitcher.build(&chained);
     let mut path = stitcher.builder.path;
-    if !tells_uncut {
+    if !whole.tells_uncut {
         return (path, lost);
     }
     // The outline of a region need not be as fine as the path.

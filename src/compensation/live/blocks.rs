@@ -7,7 +7,10 @@ use super::slots::Slots;
 use crate::geometry::{Bounds, sort_long};
 
 /// Spans of a block; when edits have made it twice as many, it is cut in two.
-pub(super) const BLOCK: usize = 16;
+pub(super) const BLOCK: usize = 8;
+
+/// Blocks that have a box in common.
+const YARD: usize = 64;
 
 /// Some spans of a part, drawn together.
 #[derive(Debug, Clone)]
@@ -27,6 +30,59 @@ pub(super) struct Block {
 }
 
 impl Local {
+    /// Measures the boxes of a block.
+    pub(super) fn measure(&mut self, block: usize) {
+        let Block { part, first, spans, .. } = self.blocks[block];
+        let body = &self.parts[part];
+        self.blocks[block].bounds = body.bounds(first, spans);
+        if self.avoids() {
+            let path = body.reach(first, spans, self.tool, &self.options);
+            self.blocks[block].path = path;
+            let yard = self.yard(block / YARD);
+            if let Some(around) = self.yards.get_mut(block / YARD) {
+                *around = yard;
+            }
+        }
+    }
+
+    /// The box around some blocks that follow each other.
+    fn yard(&self, yard: usize) -> Bounds {
+        let from = yard * YARD;
+        let mut around = Bounds::EMPTY;
+        for block in &self.blocks[from..self.blocks.len().min(from + YARD)] {
+            around = around.union(block.bounds).union(block.path);
+        }
+        around
+    }
+
+    /// Measures the boxes around many blocks again, where there are more or fewer.
+    pub(super) fn measure_yards(&mut self) {
+        self.yards.clear();
+        for yard in 0..self.blocks.len().div_ceil(YARD) {
+            self.yards.push(self.yard(yard));
+        }
+    }
+
+    /// The blocks of which `is_near` holds, in order, all of which have a box that meets `around`.
+    pub(super) fn blocks_near(
+        &self,
+        around: &Bounds,
+        is_near: &dyn Fn(&Block) -> bool,
+    ) -> Vec<usize> {
+        let mut near = Vec::new();
+        for (yard, bounds) in self.yards.iter().enumerate() {
+            if bounds.meets(around) {
+                let from = yard * YARD;
+                for block in from..self.blocks.len().min(from + YARD) {
+                    if is_near(&self.blocks[block]) {
+                        near.push(block);
+                    }
+                }
+            }
+        }
+        near
+    }
+
     /// Takes a joint that came out otherwise than before.
     pub(super) fn replace(&mut self, index: usize, joint: Joint) {
         let span =
@@ -68,11 +124,14 @@ impl Local {
         let mut dirty = std::mem::take(&mut self.dirty);
         sort_long(&mut dirty, |a, b| a < b);
         let mut drawn: Vec<usize> = Vec::with_capacity(dirty.len());
+        let mut moved = false;
         // From behind, so that those still to come stay where they are.
         for &block in dirty.iter().rev() {
             let spans = self.blocks[block].spans;
             if spans == 0 {
                 self.blocks.remove(block);
+                self.led = self.led.map(|led| led.saturating_sub(usize::from(led > block)));
+                moved = true;
                 path.remove(block);
                 outline.remove(block);
                 for later in &mut drawn {
@@ -93,6 +152,8 @@ impl Local {
                 self.blocks.insert(block + 1, second);
                 self.measure(block);
                 self.measure(block + 1);
+                moved = true;
+                self.led = self.led.map(|led| led.saturating_add(usize::from(led > block)));
                 path.split(block);
                 outline.split(block);
                 for later in &mut drawn {
@@ -101,6 +162,9 @@ impl Local {
                 drawn.push(block + 1);
             }
             drawn.push(block);
+        }
+        if moved && self.avoids() {
+            self.measure_yards();
         }
         drawn
     }

@@ -14,9 +14,8 @@ use crate::geometry::{
 };
 
 /// Part of the tolerance below which a change is none. So small a change all but never makes the
-/// pieces of a span others than they would be afresh, and it takes a million of them to come to a
-/// thousandth of the tolerance.
-const UNCHANGED: f64 = 1e-9;
+/// pieces of a span others than they would be afresh.
+const UNCHANGED: f64 = 1e-6;
 
 /// A contour that can be edited locally: each described segment is one part.
 #[derive(Debug, Clone)]
@@ -30,9 +29,17 @@ pub(super) struct Local {
     wraps: bool,
     /// Far ends of lead-in and lead-out [mm].
     pub(super) leads: [Option<DVec2>; 2],
+    /// The blocks that they lead to and come from, where gouges are avoided.
+    pub(super) led: [usize; 2],
+    /// By which part of the tolerance the tool is smaller, where gouges are avoided.
+    pub(super) smaller: f64,
+    /// Where paths for it or for others got lost [mm].
+    pub(super) lost: Vec<DVec2>,
     /// Largest distance of a chord from its curve [mm].
     pub(super) chord: f64,
     pub(super) blocks: Vec<Block>,
+    /// Boxes around so many blocks and their paths each, where gouges are avoided.
+    pub(super) yards: Vec<Bounds>,
     /// Joint `i` is before part `i`, the last behind the last part.
     pub(super) joints: Vec<Joint>,
     pub(super) dirty: Vec<usize>,
@@ -71,8 +78,12 @@ impl Local {
             closed: contour.is_closed() && leads.iter().all(Option::is_none),
             wraps,
             leads,
+            led: [usize::MAX, 0],
+            smaller: 0.0,
+            lost: Vec::new(),
             chord,
             blocks: Vec::new(),
+            yards: Vec::new(),
             joints: Vec::new(),
             dirty: Vec::new(),
             stale: Vec::new(),
@@ -100,6 +111,7 @@ impl Local {
             for block in 0..local.blocks.len() {
                 local.measure(block);
             }
+            local.measure_yards();
             for (block, left) in local.cut_all().into_iter().enumerate() {
                 local.blocks[block].breaks = left.breaks;
                 path.push(&left.vertices);
@@ -123,17 +135,6 @@ impl Local {
     /// Whether gouges are avoided.
     pub(super) fn avoids(&self) -> bool {
         self.options.gouge == GougePolicy::Avoid
-    }
-
-    /// Measures the boxes of a block.
-    pub(super) fn measure(&mut self, block: usize) {
-        let Block { part, first, spans, .. } = self.blocks[block];
-        let body = &self.parts[part];
-        self.blocks[block].bounds = body.bounds(first, spans);
-        if self.avoids() {
-            let path = body.reach(first, spans, self.tool, &self.options);
-            self.blocks[block].path = path;
-        }
     }
 
     /// The blocks of a part.
@@ -333,14 +334,18 @@ impl Local {
     }
 
     /// Makes everything anew that an edit has changed.
-    pub(super) fn update(&mut self, [path, outline]: [&mut Slots; 2], starts: &mut Vec<u32>) {
+    pub(super) fn update(
+        &mut self,
+        [path, outline]: [&mut Slots; 2],
+        starts: &mut Vec<u32>,
+    ) -> Result<(), NotLocal> {
         let dirty = self.dirty.clone();
         // What has been near to the contour before is as much concerned as what is now.
-        let mut changed = Bounds::EMPTY;
+        let mut changed = Vec::with_capacity(dirty.len());
         for block in dirty {
             let before = self.blocks[block].bounds;
             self.measure(block);
-            changed = changed.union(before).union(self.blocks[block].bounds);
+            changed.push(before.union(self.blocks[block].bounds));
         }
         let mut stale = std::mem::take(&mut self.stale);
         if self.avoids() {
@@ -364,7 +369,7 @@ impl Local {
             }
         }
         if avoids && !drawn.is_empty() {
-            for (block, left) in self.cut_around(changed) {
+            for (block, left) in self.cut_around(&changed).ok_or(NotLocal)? {
                 self.blocks[block].breaks = left.breaks;
                 path.put(block, &left.vertices);
             }
@@ -372,6 +377,7 @@ impl Local {
         if avoids {
             self.update_starts(path, starts);
         }
+        Ok(())
     }
 
     fn path_of(&self, block: usize) -> Vec<DVec2> {

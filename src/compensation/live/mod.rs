@@ -27,10 +27,6 @@ use super::{GougePolicy, Options, Passes, SplineMethod};
 use crate::contour::{Built, ContourBuilder, Segment, Shape, SplineShape, Tool, ToolPath};
 use crate::geometry::{Curve, MIN_LENGTH};
 
-/// Edits after which everything is made afresh, so that what each leaves below its threshold can
-/// never add up.
-const MOST_EDITS: u32 = 1_000_000;
-
 /// Why an edit is not possible.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum EditError {
@@ -69,11 +65,10 @@ pub struct Update {
 /// A contour, its tool path as polylines, and edits that change no more of them than they must.
 ///
 /// The path is what [`compensate_all`] gives, to within a hundredth of the tolerance, as polylines
-/// within a chord tolerance of their own; vertices may be repeated. Where gouges are avoided it is so
-/// to within the tolerance beside what is cut out, since only the neighbourhood of an edit is looked
-/// at, and a piece of one point may stand where nothing is left. Gouges that are refused, and type
-/// points that are moved, depend on the whole contour: with those every update makes everything
-/// anew.
+/// within a chord tolerance of their own; vertices may be repeated. Where gouges are avoided a piece of
+/// one point may stand where nothing is left, and an edit beside what a lead goes to, or beside a place
+/// where a path got lost, makes everything anew. Gouges that are refused, and type points that are
+/// moved, depend on the whole contour: with those every update does.
 #[derive(Debug, Clone)]
 pub struct LiveContour {
     described: ContourBuilder,
@@ -84,7 +79,6 @@ pub struct LiveContour {
     local: Option<Local>,
     /// Whether everything is to be made anew by the next update.
     stale: bool,
-    edits: u32,
     path: Slots,
     outline: Slots,
     /// Index of the first vertex of each piece of the path.
@@ -110,7 +104,6 @@ impl LiveContour {
             chord,
             local: None,
             stale: true,
-            edits: 0,
             path: Slots::default(),
             outline: Slots::default(),
             starts: Vec::new(),
@@ -138,7 +131,6 @@ impl LiveContour {
         } else {
             self.refresh_around(0);
         }
-        self.edits += 1;
     }
 
     /// Moves a point of a segment [mm]: the end of anything but a spline, index 0, the centre of
@@ -174,7 +166,6 @@ impl LiveContour {
                 }
             }
         }
-        self.edits += 1;
         Ok(())
     }
 
@@ -200,7 +191,6 @@ impl LiveContour {
         } else {
             self.new_end(segment, point);
         }
-        self.edits += 1;
         Ok(())
     }
 
@@ -223,7 +213,6 @@ impl LiveContour {
         } else {
             self.new_end(segment, end);
         }
-        self.edits += 1;
         Ok(())
     }
 
@@ -246,19 +235,20 @@ impl LiveContour {
         } else {
             self.stale = true;
         }
-        self.edits += 1;
         Ok(())
     }
 
     /// Makes the polylines what the contour is now, and tells which vertices have changed since
     /// the last time.
     pub fn update(&mut self) -> Update {
-        let wanted = self.stale || self.edits > MOST_EDITS;
         match &mut self.local {
-            Some(local) if !wanted => {
-                local.update([&mut self.path, &mut self.outline], &mut self.starts);
+            Some(local) if !self.stale => {
+                let slots = [&mut self.path, &mut self.outline];
+                if local.update(slots, &mut self.starts).is_err() {
+                    self.rebuild();
+                }
             }
-            None if !wanted => {}
+            None if !self.stale => {}
             _ => self.rebuild(),
         }
         Update { path: self.path.take_changed(), outline: self.outline.take_changed() }
@@ -350,7 +340,7 @@ impl LiveContour {
 
     /// Makes everything anew.
     fn rebuild(&mut self) {
-        (self.stale, self.edits, self.local) = (false, 0, None);
+        (self.stale, self.local) = (false, None);
         let Built { contour, diagnostics } = self.described.clone().build(self.closed);
         self.starts.clear();
         let Some(contour) = contour else {

@@ -7,7 +7,11 @@ use crate::compensation::offset::offset_span;
 use crate::compensation::run::{Run, part, reversed, with_start};
 use crate::compensation::transition::Terminal;
 use crate::contour::{Attributes, MoveCurve, Segment, Tool};
-use crate::geometry::{Bounds, Curve, SplineEdit, perp};
+use crate::geometry::{Bounds, Cubic, Curve, SplineEdit, perp};
+
+/// Length of a control vector of a cubic's derivative, as a part of its polygon, up to which it may
+/// stand still and turn back.
+const STANDS_STILL: f64 = 1e-5;
 
 /// A segment.
 #[derive(Debug, Clone)]
@@ -100,7 +104,7 @@ impl Part {
         }
     }
 
-    /// A box around the whole offset of some spans, and of the way round the end of the last.
+    /// A box around the whole offset of some spans, and of the ways round the ends of the part.
     pub(super) fn reach(
         &self,
         first: usize,
@@ -108,27 +112,26 @@ impl Part {
         tool: Tool,
         options: &Options,
     ) -> Bounds {
-        let (offset, tolerance) = (tool.offset(), options.usable_tolerance());
-        let mut pieces = Vec::new();
-        let end = match self {
+        let mut bounds = Bounds::EMPTY;
+        let ends = match self {
             Self::Plain(segment) => {
-                pieces = Run::new(segment, tool, options).pieces;
-                segment.curve.end()
+                bounds = MoveCurve::hulls(&Run::new(segment, tool, options).pieces);
+                [segment.curve.start(), segment.curve.end()]
             }
             Self::Spline(spline, _) => {
                 for span in first..first + count {
-                    let cubic = spline.cubic(span);
-                    offset_span(&cubic, offset, tolerance, None, &mut pieces, &mut |_, _| {});
+                    bounds = bounds.union(beside(&spline.cubic(span), tool.offset()));
                 }
-                spline.points()[first + count]
+                bounds = bounds.inflated(options.usable_tolerance());
+                [first, first + count].map(|point| spline.points()[point])
             }
         };
-        let mut bounds = Bounds::EMPTY;
-        if first + count == self.spans() {
+        let at_ends = [first == 0, first + count == self.spans()];
+        for (end, _) in ends.into_iter().zip(at_ends).filter(|(_, at_end)| *at_end) {
             // The straight way round a corner reaches out to √2 times the radius.
-            bounds = Bounds::of([end]).inflated(1.5 * tool.radius());
+            bounds = bounds.union(Bounds::of([end]).inflated(1.5 * tool.radius()));
         }
-        MoveCurve::hulls(&pieces).union(bounds)
+        bounds
     }
 
     /// Appends the polyline of some spans.
@@ -187,6 +190,27 @@ impl Part {
             }
         }
     }
+}
+
+/// A box around the offset of a cubic.
+///
+/// Its tangents lie between the control vectors of its derivative. Where those are less than 90° apart
+/// unit vectors between two of them, at the angle φ, bulge by `1 − cos (φ/2) ≤ (1 − cos φ) / 2` beyond
+/// their chord. Where the cubic may turn back, or nearly stand still, there may be an arc about it.
+fn beside(cubic: &Cubic, offset: f64) -> Bounds {
+    let hull = cubic.hull_bounds();
+    let vectors = cubic.hodograph();
+    let lengths = vectors.map(DVec2::length);
+    let [n0, n1, n2] = [0, 1, 2].map(|i| perp(vectors[i]) * (offset / lengths[i]));
+    let squared = offset * offset;
+    let least = n0.dot(n1).min(n1.dot(n2)).min(n2.dot(n0)) / squared;
+    let stands = lengths.iter().any(|&length| length <= STANDS_STILL * cubic.hull_length());
+    if stands || least.is_nan() || least <= 0.0 {
+        return hull.inflated(offset.abs());
+    }
+    let bulge = 0.5 * (1.0 - least) * offset.abs();
+    let Bounds { min, max } = Bounds::of([n0, n1, n2]).inflated(bulge);
+    Bounds { min: hull.min + min, max: hull.max + max }
 }
 
 /// Appends the polyline of the offset of some spans of a spline, as far as it lies between its

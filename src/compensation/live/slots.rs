@@ -92,7 +92,7 @@ impl Slots {
         let places = self.points[2 * own.at..2 * own.end()].chunks_exact_mut(2);
         for (k, place) in places.enumerate() {
             let vertex = vertices.get(k).copied().unwrap_or(last);
-            place.copy_from_slice(&[vertex.x, vertex.y]);
+            (place[0], place[1]) = (vertex.x, vertex.y);
         }
         self.touch(own.at..own.end());
     }

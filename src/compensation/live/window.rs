@@ -11,13 +11,17 @@ use super::Local;
 use super::blocks::Block;
 use super::part::{Part, Pen};
 use super::slots::Slots;
-use crate::compensation::avoid::clear_path;
+use crate::compensation::avoid::{Whole, best_of, clear_path};
 use crate::contour::{Attributes, Contour, Lead, Role, Segment};
 use crate::diagnostic::Origin;
 use crate::geometry::Bounds;
 
 /// Distance from which on two stretches do not follow each other [mm].
 const GAP: f64 = 1e-6;
+
+fn meets_any(bounds: &Bounds, others: &[Bounds]) -> bool {
+    others.iter().any(|other| other.meets(bounds))
+}
 
 /// What is left of the path of a block.
 #[derive(Debug, Clone, Default)]
@@ -27,56 +31,96 @@ pub(super) struct Left {
     pub(super) breaks: Vec<u32>,
 }
 
+/// What cutting the paths of some blocks came to.
+struct Cut {
+    left: Vec<Left>,
+    /// The blocks that the lead-in goes to and that the lead-out comes from.
+    led: [usize; 2],
+}
+
 impl Local {
     /// Cuts the paths of all blocks.
     pub(super) fn cut_all(&mut self) -> Vec<Left> {
         let all: Vec<usize> = (0..self.blocks.len()).collect();
-        self.cut(&all, &|_| true)
+        let mut cuts = Vec::new();
+        let best = best_of(&mut |smaller| {
+            let (cut, lost) = self.cut(&all, &|_| true, smaller);
+            cuts.push(cut);
+            lost
+        });
+        let Cut { left, led } = cuts.swap_remove(best.index);
+        (self.led, self.smaller, self.lost) = (led, best.smaller, best.lost);
+        left
     }
 
-    /// Cuts again what an edit inside a box may have changed; returns the blocks concerned and what
-    /// is left of them.
-    pub(super) fn cut_around(&mut self, changed: Bounds) -> Vec<(usize, Left)> {
+    /// Cuts again what edits inside some boxes may have changed; returns the blocks concerned and what
+    /// is left of them. None where that depends on more: where a lead goes to, or where a path gets lost
+    /// and the tool may have to be smaller.
+    pub(super) fn cut_around(&self, changed: &[Bounds]) -> Option<Vec<(usize, Left)>> {
         let reach = self.tool.radius() + self.options.usable_tolerance();
-        let near = changed.inflated(reach);
-        let is_concerned = |block: &Block| block.path.meets(&near);
-        let mut paths = changed;
-        for block in &self.blocks {
-            if is_concerned(block) {
-                paths = paths.union(block.path);
-            }
+        let mut near = Vec::with_capacity(changed.len());
+        let mut all = Bounds::EMPTY;
+        for bounds in changed {
+            near.push(bounds.inflated(reach));
+            all = all.union(bounds.inflated(reach));
         }
-        let around = paths.inflated(reach);
-        let mut list = Vec::new();
-        for (k, block) in self.blocks.iter().enumerate() {
-            if block.bounds.meets(&around) || is_concerned(block) {
-                list.push(k);
-            }
+        let concerned = self.blocks_near(&all, &|block| meets_any(&block.path, &near));
+        let [led_in, led_out] = self.led;
+        let before = concerned.first().is_some_and(|&first| first <= led_in);
+        let behind = concerned.last().is_some_and(|&last| last >= led_out);
+        if before && self.leads[0].is_some() || behind && self.leads[1].is_some() {
+            return None;
         }
-        let left = self.cut(&list, &|block| is_concerned(&self.blocks[block]));
-        let mut cut = Vec::new();
+        near.clear();
+        for &block in &concerned {
+            let path = self.blocks[block].path.inflated(reach);
+            near.push(path);
+            all = all.union(path);
+        }
+        if self.lost.iter().any(|&place| meets_any(&Bounds::of([place]), &near)) {
+            return None;
+        }
+        // Those concerned are among them: their contour is beside their path.
+        let list = self.blocks_near(&all, &|block| meets_any(&block.bounds, &near));
+        let is_concerned = |block: usize| concerned.binary_search(&block).is_ok();
+        let (Cut { left, .. }, lost) = self.cut(&list, &is_concerned, self.smaller);
+        if !lost.is_empty() {
+            return None;
+        }
+        let mut cut = Vec::with_capacity(concerned.len());
         for (block, left) in list.into_iter().zip(left) {
-            if is_concerned(&self.blocks[block]) {
+            if is_concerned(block) {
                 cut.push((block, left));
             }
         }
-        cut
+        Some(cut)
     }
 
     /// Cuts the paths of some blocks, in order, as if there were no others; tells what is left of
-    /// those that are asked for.
-    fn cut(&self, list: &[usize], wanted: &dyn Fn(usize) -> bool) -> Vec<Left> {
+    /// those that are asked for, and which of their ends got lost.
+    fn cut(
+        &self,
+        list: &[usize],
+        wanted: &dyn Fn(usize) -> bool,
+        smaller: f64,
+    ) -> (Cut, Vec<DVec2>) {
         let mut left = vec![Left::default(); list.len()];
         let runs = self.runs(list);
-        let path = clear_path(&runs, self.tool, &self.options, self.has_spline());
+        let is_wanted = |origin: Origin| match origin {
+            Origin::Segment(block) => wanted(block as usize),
+            Origin::Block { .. } => false,
+        };
+        let (closed, has_spline) = (self.closed, self.has_spline());
+        let whole = Whole { closed, has_spline, counts: &is_wanted, tells_uncut: false };
+        let (path, lost) = clear_path(&runs, self.tool, &self.options, &whole, smaller);
         // What leads from the last segment to the lead-out names the first of its run.
         let led_out = runs.iter().find(|run| run.lead_out().is_some()).map(|run| {
             let segments = run.segments();
             [segments[0].attributes.origin, segments[segments.len() - 1].attributes.origin]
         });
-        let mut before = None;
+        let (mut before, mut led) = (None, [usize::MAX, 0]);
         let mut pen = Pen { chord: self.chord, vertices: Vec::new() };
-        let (mut last, mut end) = (usize::MAX, None);
+        let (mut last, mut end) = (None, None);
         for step in &path.moves {
             let mut origin = step.origin;
             if let Some([first, last]) = led_out
@@ -87,9 +131,16 @@ impl Local {
             before = Some(origin);
             let Origin::Segment(block) = origin else { continue };
             let Ok(k) = list.binary_search(&(block as usize)) else { continue };
+            match step.role {
+                Role::LeadIn => led[0] = usize::MAX,
+                Role::LeadOut => led[1] = last.map_or(0, |k: usize| list[k]),
+                _ if led[0] == usize::MAX => led[0] = list[k],
+                _ => {}
+            }
             let start = step.curve.start();
-            let follows = end.is_some_and(|end: DVec2| end.distance(start) <= GAP) && last == k;
-            (last, end) = (k, Some(step.curve.end()));
+            let follows =
+                end.is_some_and(|end: DVec2| end.distance(start) <= GAP) && last == Some(k);
+            (last, end) = (Some(k), Some(step.curve.end()));
             if !wanted(block as usize) {
                 continue;
             }
@@ -111,7 +162,7 @@ impl Local {
                 own.vertices.push(self.parts[part].section(first, 1).curve.start());
             }
         }
-        left
+        (Cut { left, led }, lost)
     }
 
     fn has_spline(&self) -> bool {
