@@ -16,6 +16,10 @@ use crate::geometry::{Bounds, Cubic, direction};
 /// Units to each side that are looked at to find the tame stretch around one.
 const TAME_REACH: usize = 24;
 
+/// How near the offset of a span is made where it is going to be cut or dropped, as a part of the
+/// span's length.
+const ROUGH: f64 = 0.01;
+
 /// Units beside a piece of which it is kept which they are; of a long piece beside many they are looked
 /// for at each place.
 const MOST_BESIDE: usize = 64;
@@ -226,6 +230,17 @@ fn side_by_chord(cubic: &Cubic, point: DVec2, distance: f64) -> Option<bool> {
     }
 }
 
+/// How near the offset of a span is made where it is going to be cut or dropped [mm].
+pub(super) fn rough(cubic: &Cubic, tolerance: f64) -> f64 {
+    if is_slender(cubic) { tolerance.max(ROUGH * cubic.hull_length()) } else { tolerance }
+}
+
+/// Whether a span is known to turn so little that the pieces between its cusps run back and are dropped,
+/// whatever they are.
+pub(super) fn is_slender(cubic: &Cubic) -> bool {
+    Octants::of_cubic(cubic).is_slender()
+}
+
 /// The fate of a raw piece.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Fate {
@@ -249,7 +264,7 @@ pub(super) fn sieve(
         // Beside cusps the pieces are rough.
         let rough = match work.curve(unit) {
             Some(MoveCurve::Cubic(cubic)) if !clearance.tree.unit(unit).fits => {
-                super::units::rough(&cubic, tolerance)
+                rough(&cubic, tolerance)
             }
             _ => 0.0,
         };
@@ -272,7 +287,7 @@ fn runs_back(work: &Workpiece, unit: usize, curve: &MoveCurve) -> bool {
     match (work.curve(unit), curve) {
         (Some(MoveCurve::Cubic(span)), MoveCurve::Cubic(piece)) => {
             let along = span.end() - span.start();
-            Octants::of_cubic(&span).is_slender() && (piece.end() - piece.start()).dot(along) < 0.0
+            is_slender(&span) && (piece.end() - piece.start()).dot(along) < 0.0
         }
         (Some(MoveCurve::Arc(arc)), MoveCurve::Arc(piece)) => {
             (arc.start() - arc.center()).dot(piece.start() - piece.center()) < 0.0

@@ -8,6 +8,7 @@ use glam::DVec2;
 
 use super::octants::Octants;
 use super::points::{SHORTEST, ends, shaping, shaping_spans};
+use super::sieve::{is_slender, rough};
 use super::tree::{Node, Range};
 use crate::compensation::corner::classify_sharply;
 use crate::compensation::offset::{
@@ -16,11 +17,7 @@ use crate::compensation::offset::{
 use crate::compensation::run::with_start;
 use crate::compensation::{CornerStyle, Options};
 use crate::contour::{Contour, Corner, CornerKind, MoveCurve, Segment, Tool, TransitionKind};
-use crate::geometry::{Arc, Bounds, Cubic, Curve, MIN_LENGTH, direction, perp};
-
-/// How near the offset of a span is made where it is going to be cut or dropped, as a part of the
-/// span's length.
-const ROUGH: f64 = 0.01;
+use crate::geometry::{Arc, Bounds, Curve, MIN_LENGTH, direction, perp};
 
 /// A contour and the tool that is to run along it.
 #[derive(Debug, Clone, Copy)]
@@ -250,17 +247,6 @@ impl<'a> Workpiece<'a> {
 /// An index of a list; memory ends long before its range does.
 pub(super) fn index(value: usize) -> u32 {
     u32::try_from(value).unwrap_or(NONE)
-}
-
-/// How near the offset of a span is made where it is going to be cut or dropped [mm].
-pub(super) fn rough(cubic: &Cubic, tolerance: f64) -> f64 {
-    if is_slender(cubic) { tolerance.max(ROUGH * cubic.hull_length()) } else { tolerance }
-}
-
-/// Whether a span is known to turn so little that the pieces between its cusps run back and are dropped,
-/// whatever they are.
-fn is_slender(cubic: &Cubic) -> bool {
-    Octants::of_cubic(cubic).is_slender()
 }
 
 fn spans_of(segment: &Segment) -> usize {
