@@ -5,12 +5,12 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use std::fmt::Write;
 use std::ops::Range;
 
-use g41::compensation::Options;
-use g41::contour::ToolPath;
+use g41::compensation::{GougePolicy, Options};
+use g41::contour::{MoveCurve, ToolPath};
 use g41::diagnostic::Diagnostic;
 use g41::program::{
-    Dialect, EmitOptions, Emitted, Interpretation, Item, Program, Rules, RunOptions, Runner, emit,
-    interpret,
+    Dialect, EmitOptions, Emitted, Interpretation, Item, Program, Rules, RunOptions, Runner,
+    Target, emit, interpret,
 };
 use g41::simulation::{Tools, compensate_program};
 
@@ -455,4 +455,60 @@ fn a_spline_of_many_type_points_comes_to_an_end() {
     text.push_str("G40 G1 Y-50\nM30\n");
     let (_, written) = all_stages(&text);
     assert!(written.text.lines().count() > 100, "there is a path");
+}
+
+/// Involutes of circles of any size, tight and far unwound, whose ends are on them, or nearly.
+fn involutes(random: &mut Random, count: usize) -> String {
+    let unit = |random: &mut Random| random.below(1 << 53) as f64 / (1_u64 << 53) as f64;
+    let mut text = String::from("G21 G90\nG0 X-30 Y-30\nG1 F600\n");
+    for _ in 0..count {
+        let radius = 10_f64.powf(6.0 * unit(random) - 3.0);
+        let most = [0.1, 1.0, 3.0, 9.0][usize::try_from(random.below(4)).expect("an index")];
+        let (first, sense) = (7.0 * unit(random), if random.below(2) == 0 { 1.0 } else { -1.0 });
+        let at = |roll: f64| {
+            let (sin, cos) = (first + sense * roll).sin_cos();
+            let thread = sense * roll;
+            [radius * (cos + thread * sin), radius * (sin - thread * cos)]
+        };
+        let start = if random.below(4) == 0 { 0.0 } else { most * unit(random) };
+        let end = if random.below(4) == 0 { 0.0 } else { most * unit(random) };
+        let off = [0.0, 1e-3, 1e-2, 1.0][usize::try_from(random.below(4)).expect("an index")];
+        let ([x0, y0], [x1, y1]) = (at(start), at(end));
+        let word = if (end > start) == (sense > 0.0) { "G3.2" } else { "G2.2" };
+        let side = random.pick(&["G41 D1", "G42 D1", "", ""]);
+        let _ = writeln!(text, "G1 {side} X{x0:.4} Y{y0:.4}");
+        let _ =
+            writeln!(text, "{word} X{:.4} Y{y1:.4} I{:.4} J{:.4} R{radius:.4}", x1 + off, -x0, -y0);
+        let _ = writeln!(text, "G1 {} X{} Y{}", random.pick(&["", "G40"]), x1 + 5.0, y1 - 3.0);
+    }
+    text
+}
+
+#[test]
+fn involutes_of_any_size_go_through_every_stage() {
+    let mut random = Random(77);
+    let mut read = 0;
+    for case in 0..CASES / 20 {
+        let text = involutes(&mut random, 3);
+        let (path, _) = all_stages(&text);
+        let mut finite = |path: &ToolPath| {
+            for one in &path.moves {
+                for t in [0.0, 0.3, 1.0] {
+                    assert!(one.curve.point(t).is_finite(), "case {case}: {one:?} of\n{text}");
+                    read += usize::from(matches!(one.curve, MoveCurve::Involute(_)));
+                }
+            }
+        };
+        finite(&path);
+        for gouge in [GougePolicy::Avoid, GougePolicy::Stop] {
+            let found = interpret(&Program::parse(&text, Dialect::Auto), Rules::default());
+            let options = Options { gouge, ..Options::default() };
+            finite(&compensate_program(&found, &Tools::all(1.5), &options));
+        }
+        for target in [Target::Fanuc30I, Target::Marlin] {
+            let written = emit(&path, &EmitOptions { target, ..EmitOptions::default() });
+            assert!(!written.text.contains("NaN") && !written.text.contains("inf"), "{text}");
+        }
+    }
+    assert!(read > 100, "{read} places on involutes");
 }

@@ -19,7 +19,9 @@ pub(super) fn meet(a: &MoveCurve, b: &MoveCurve) -> Intersections {
         (Arc(a), Cubic(b)) => arc_cubic(a, b),
         (Cubic(a), Arc(b)) => arc_cubic(b, a).exchanged(),
         (Cubic(a), Cubic(b)) => cubic_cubic(a, b),
-        (Involute(a), b) => involute_with(a, &|cubic| meet(&Cubic(*cubic), b)),
-        (a, Involute(b)) => involute_with(b, &|cubic| meet(&Cubic(*cubic), a)).exchanged(),
+        (Involute(a), b) => involute_with(a, &b.hull_bounds(), &|cubic| meet(&Cubic(*cubic), b)),
+        (a, Involute(b)) => {
+            involute_with(b, &a.hull_bounds(), &|cubic| meet(&Cubic(*cubic), a)).exchanged()
+        }
     }
 }

@@ -327,23 +327,29 @@ fn it_crosses_every_other_curve_where_samples_do() {
         let (plain, meets): (Plain, Intersections) = match kind {
             0 => {
                 let line = shapes::line(&mut random, 40.0);
-                let with = involute_with(&a, &|cubic| line_cubic(&line, cubic).exchanged());
+                let with = involute_with(&a, &line.bounds(), &|cubic| {
+                    line_cubic(&line, cubic).exchanged()
+                });
                 (Plain::of_line(&line), with)
             }
             1 => {
                 let arc = shapes::arc(&mut random, 25.0);
-                let with = involute_with(&a, &|cubic| arc_cubic(&arc, cubic).exchanged());
+                let with =
+                    involute_with(&a, &arc.bounds(), &|cubic| arc_cubic(&arc, cubic).exchanged());
                 (Plain::of_arc(&arc), with)
             }
             2 => {
                 let other = shapes::cubic(&mut random, 40.0);
-                let with = involute_with(&a, &|cubic| cubic_cubic(cubic, &other));
+                let with = involute_with(&a, &other.bounds(), &|cubic| cubic_cubic(cubic, &other));
                 (Plain::of_cubic(&other), with)
             }
             _ => {
                 let (other, _) = shapes::involute(&mut random, 15.0);
-                let with = involute_with(&a, &|first| {
-                    involute_with(&other, &|second| cubic_cubic(second, first)).exchanged()
+                let with = involute_with(&a, &other.bounds(), &|first| {
+                    involute_with(&other, &first.hull_bounds(), &|second| {
+                        cubic_cubic(second, first)
+                    })
+                    .exchanged()
                 });
                 (Plain::of_involute(&other), with)
             }
@@ -389,8 +395,8 @@ fn it_crosses_every_other_curve_where_samples_do() {
 #[test]
 fn two_that_share_a_stretch_have_no_single_point() {
     let (a, b) = (plain(0.5, 1.5), plain(1.0, 2.0));
-    let meets = involute_with(&a, &|first| {
-        involute_with(&b, &|second| cubic_cubic(second, first)).exchanged()
+    let meets = involute_with(&a, &b.bounds(), &|first| {
+        involute_with(&b, &first.hull_bounds(), &|second| cubic_cubic(second, first)).exchanged()
     });
     assert_eq!(meets, Intersections::Coincident, "they share a stretch");
     // Opposite hands about one circle cross on their axis of symmetry.
@@ -399,8 +405,9 @@ fn two_that_share_a_stretch_have_no_single_point() {
     let other =
         Involute::new(flip(mirrored.start()), flip(mirrored.end()), DVec2::ZERO, 10.0, true, 1e-9)
             .expect("it is one");
-    let meets = involute_with(&mirrored, &|first| {
-        involute_with(&other, &|second| cubic_cubic(second, first)).exchanged()
+    let meets = involute_with(&mirrored, &other.bounds(), &|first| {
+        involute_with(&other, &first.hull_bounds(), &|second| cubic_cubic(second, first))
+            .exchanged()
     });
     let points = meets.points();
     assert_eq!(points.len(), 1, "{points:?}");
