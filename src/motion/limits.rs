@@ -90,7 +90,7 @@ impl Default for Limits {
             axes: None,
             feed_override: 1.0,
             curvature_steps: CurvatureSteps::Round,
-            corner: CornerCurve::Ph13,
+            corner: CornerCurve::Eased,
             exact_stop: false,
             fit: true,
         }

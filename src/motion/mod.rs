@@ -5,6 +5,7 @@
 mod blend;
 mod by_length;
 mod corner;
+mod eased;
 mod fit;
 mod helix;
 mod interpolation;
@@ -21,6 +22,7 @@ mod violations;
 
 pub use by_length::ByLength;
 pub use corner::{Corner, CornerCurve, CornerShape};
+pub use eased::Eased;
 pub use fit::{Fitted, Fitter};
 pub use helix::Helix;
 pub use interpolation::{StepRule, interpolate};

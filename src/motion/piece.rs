@@ -2,7 +2,7 @@
 
 use glam::DVec3;
 
-use super::{ByLength, Corner, Helix, Quintic, Straight, Unwound};
+use super::{ByLength, Corner, Eased, Helix, Quintic, Straight, Unwound};
 
 /// Where a curve is at an arc length, and its derivatives by arc length there.
 ///
@@ -57,6 +57,8 @@ pub enum Piece {
     Curve(Box<ByLength>),
     /// A polynomial of degree five, as fitted to dense blocks.
     Quintic(Box<Quintic>),
+    /// A rounded corner between lines, by its pace in the place of its arc length.
+    Eased(Eased),
 }
 
 impl Piece {
@@ -70,6 +72,7 @@ impl Piece {
             Self::Corner(corner) => corner.length,
             Self::Curve(curve) => curve.length,
             Self::Quintic(quintic) => quintic.length,
+            Self::Eased(eased) => eased.length(),
         }
     }
 
@@ -84,6 +87,7 @@ impl Piece {
             Self::Corner(corner) => corner.frame(s),
             Self::Curve(curve) => curve.frame(s),
             Self::Quintic(quintic) => quintic.frame(s),
+            Self::Eased(eased) => eased.frame(s),
         }
     }
 
@@ -98,6 +102,7 @@ impl Piece {
             Self::Corner(corner) => Self::Corner(corner.part(from, to)),
             Self::Curve(curve) => Self::Curve(Box::new(curve.part(from, to))),
             Self::Quintic(quintic) => Self::Quintic(Box::new(quintic.part(from, to))),
+            Self::Eased(eased) => Self::Eased(eased.part(from, to)),
         }
     }
 }

@@ -3,10 +3,23 @@
 use glam::DVec3;
 
 use super::sample::Sample;
-use super::speed::{Phase, Rates, rest_to_rest};
-use super::{Helix, Limits, LimitsError, Motion, Piece, Straight, Unwound};
-use crate::contour::{Move, MoveCurve};
-use crate::geometry::nth_root;
+use super::speed::{Course, Phase, Rates, cruise, law, ramp_time, textbook};
+use super::{CornerCurve, Joint, Limits, LimitsError, Mode, Motion, Piece, Placed, TrackBuilder};
+use crate::contour::Move;
+
+/// A run that takes longer is cut by a stop, so that what is held in memory, and the time until
+/// samples come, stay bounded [s].
+const LONGEST_RUN: f64 = 30.0;
+
+/// What a run has on an even stretch beyond its ramp [s].
+const LEAD: f64 = 0.1;
+
+/// Even stretches shorter than this are planned with what is around them [s].
+const EVEN_TIME: f64 = 1.0;
+
+/// How fast an even stretch of an arc is at most, in parts of what its bend allows at all: cubed, it
+/// is what it takes of the jerk.
+const GENTLE: f64 = 0.5;
 
 /// Plans the motion along moves, from rest to rest.
 ///
@@ -26,13 +39,22 @@ pub fn plan(moves: &[Move], limits: &Limits) -> Result<Motion, LimitsError> {
 #[derive(Debug, Clone)]
 pub struct Planner {
     limits: Limits,
-    block: u32,
+    builder: TrackBuilder,
+    /// Pieces that the builder handed out, and dwells before them [s].
+    track: Vec<Placed>,
+    course: Course,
+    /// A long even stretch before the course, with where on it the run before ended, and its speed.
+    even: Option<(Course, [f64; 2])>,
+    /// Rests that are asked for: before which move, and for how long [s].
+    dwells: Vec<(u32, f64)>,
+    /// The number of moves so far.
+    moves: u32,
     /// The time that the next run starts at [s].
     start: f64,
     /// The number of the next sample.
     next: u64,
-    last: Option<DVec3>,
-    law: Vec<Phase>,
+    /// Where the tool rests, and the move that took it there.
+    rest: Option<(DVec3, u32)>,
 }
 
 impl Planner {
@@ -42,123 +64,166 @@ impl Planner {
     /// [`LimitsError`] where a limit is not a positive number within reason.
     pub fn new(limits: &Limits) -> Result<Self, LimitsError> {
         limits.check()?;
-        let limits = *limits;
-        Ok(Self { limits, block: 0, start: 0.0, next: 0, last: None, law: Vec::new() })
+        let mut limits = *limits;
+        if limits.mode == Mode::Textbook {
+            limits.corner = CornerCurve::Ph13;
+        }
+        Ok(Self {
+            limits,
+            builder: TrackBuilder::new(&limits),
+            track: Vec::new(),
+            course: Course::default(),
+            even: None,
+            dwells: Vec::new(),
+            moves: 0,
+            start: 0.0,
+            next: 0,
+            rest: None,
+        })
     }
 
-    /// Takes a move, which starts where the one before ends, and adds to `motion` the samples that are
-    /// certain by now.
+    /// Takes a move, and adds to `motion` the samples that are certain by now.
     pub fn push(&mut self, one: &Move, motion: &mut Motion) {
-        let cap = match one.feed {
-            Some(feed) if !one.rapid => feed * self.limits.feed_override,
-            _ => self.limits.velocity,
-        };
-        let cap = cap.min(self.limits.velocity).max(1.0e-6);
-        let place = |t: f64, point| {
-            let [first, second] = one.heights;
-            one.plane.place(point, first + (second - first) * t)
-        };
-        match &one.curve {
-            MoveCurve::Arc(arc) => {
-                let helix = Helix::of_arc(arc, one.plane, one.heights);
-                self.run(&Piece::Helix(helix), cap, motion);
-            }
-            MoveCurve::Involute(involute) => {
-                let unwound = Unwound::of_involute(involute, one.plane, one.heights);
-                self.run(&Piece::Unwound(unwound), cap, motion);
-            }
-            MoveCurve::Cubic(cubic) => {
-                let mut last = place(0.0, cubic.start());
-                let (length, mut on) = (cubic.length(), 0.0);
-                let mut flat = cubic.start();
-                one.curve.flatten(self.limits.chord_error, &mut |point| {
-                    on += flat.distance(point);
-                    flat = point;
-                    let next = place((on / length).min(1.0), point);
-                    if let Some(line) = Straight::between(last, next) {
-                        self.run(&Piece::Straight(line), cap, motion);
-                    }
-                    last = next;
-                });
-            }
-            curve => {
-                let (from, to) = (place(0.0, curve.start()), place(1.0, curve.end()));
-                if let Some(line) = Straight::between(from, to) {
-                    self.run(&Piece::Straight(line), cap, motion);
-                }
-            }
-        }
-        self.last = Some(place(1.0, one.curve.end()));
-        self.block += 1;
+        self.builder.push(one, &mut self.track);
+        self.moves += 1;
+        self.advance(motion);
     }
 
     /// From the next corner on: stops at the end of each move (G61.1), or rounds corners within a
     /// deviation [mm] (G64 P); with 0 the path is kept exactly (G61).
     pub fn blend(&mut self, exact_stop: bool, corner_deviation: f64) {
-        self.limits.exact_stop = exact_stop;
-        self.limits.corner_deviation = corner_deviation.max(0.0);
+        self.builder.blend(exact_stop, corner_deviation);
     }
 
     /// Comes to rest, and begins the next move wherever it does, at once: the coordinates are others.
     pub fn jump(&mut self) {
-        self.last = None;
+        self.builder.jump();
     }
 
-    /// Stands still for a time [s], after the moves so far.
+    /// Comes to rest after the moves so far, and stays there for a time [s], which may be 0; adds to
+    /// `motion` the samples that are certain by now.
     pub fn pause(&mut self, seconds: f64, motion: &mut Motion) {
-        if let Some(last) = self.last
-            && seconds > 0.0
-        {
-            let piece = Piece::Straight(Straight { start: last, tangent: DVec3::X, length: 0.0 });
-            self.law.clear();
-            self.law.push(Phase::of_snap(seconds, [0.0; 4], 0.0));
-            // The wait is that of the move before it.
-            self.block = self.block.saturating_sub(1);
-            self.sample(&piece, motion);
-            self.block += 1;
+        self.builder.rest();
+        if seconds > 0.0 {
+            self.dwells.push((self.moves, seconds));
         }
+        self.advance(motion);
     }
 
     /// Comes to rest, and adds the last samples.
     pub fn finish(&mut self, motion: &mut Motion) {
-        if let Some(last) = self.last
-            && motion.time.last() != Some(&self.start)
-        {
-            let block = self.block.saturating_sub(1);
-            motion.push(Sample { time: self.start, point: last, rates: [0.0; 4], block });
+        self.builder.finish(&mut self.track);
+        self.advance(motion);
+        self.run(motion);
+        self.dwell(u32::MAX, motion);
+        if let Some((point, block)) = self.rest {
+            motion.push(Sample { time: self.start, point, rates: [0.0; 4], block });
         }
         motion.duration = self.start;
     }
 
-    /// From rest to rest along a piece.
-    fn run(&mut self, piece: &Piece, cap: f64, motion: &mut Motion) {
-        let limits = &self.limits;
-        let mut rates = Rates {
-            velocity: cap,
-            acceleration: limits.acceleration,
-            jerk: limits.jerk,
-            snap: limits.snap(),
-        };
-        let bend = piece.frame(0.0).curvature.length();
-        if bend > 0.0 {
-            // With v²κ ≤ 0.36 A, v³κ² ≤ 0.216 J, 3 v a κ ≤ 0.5 J and j ≤ 0.5 J both vectors are within
-            // their limits: 0.36² + 0.6² < 1, (0.5 + 0.216)² + 0.5² < 1.
-            let jerk_cap = nth_root(limits.jerk / (bend * bend), 3);
-            let chord = (8.0 * limits.chord_error / bend).sqrt() / limits.period;
-            let velocity = (0.6 * (limits.acceleration / bend).sqrt().min(jerk_cap)).min(chord);
-            rates.velocity = rates.velocity.min(velocity);
-            let across = 0.5 * limits.jerk / (3.0 * rates.velocity * bend);
-            rates.acceleration = (0.6 * rates.acceleration).min(across);
-            rates.jerk *= 0.5;
+    /// Plans the runs that are complete.
+    fn advance(&mut self, motion: &mut Motion) {
+        let mut track = std::mem::take(&mut self.track);
+        for placed in track.drain(..) {
+            if self.course.is_empty() {
+                self.dwell(placed.block, motion);
+            }
+            let stops = placed.end == Joint::Stop;
+            let fast = self.limits.mode == Mode::Fast;
+            let placed = if fast { self.cut(placed, motion) } else { placed };
+            self.course.push(placed, &self.limits);
+            if stops || fast && self.course.time > LONGEST_RUN {
+                self.run(motion);
+            }
         }
-        self.law.clear();
-        rest_to_rest(&mut self.law, 0.0, piece.length(), &rates);
-        self.sample(piece, motion);
+        self.track = track;
     }
 
-    /// Takes samples of the law.
-    fn sample(&mut self, piece: &Piece, motion: &mut Motion) {
-        for phase in &self.law {
+    /// Cuts a long even stretch out of a piece: the run so far ends on it, the next one begins on it,
+    /// and between them nothing is to be planned. Returns what is left.
+    fn cut(&mut self, placed: Placed, motion: &mut Motion) -> Placed {
+        let mut even = Course::default();
+        even.push(placed.clone(), &self.limits);
+        let rates = even_rates(&even, &self.limits);
+        let ramp = rates.velocity * ramp_time(rates.velocity, &rates);
+        let lead = 0.5 * ramp + LEAD * rates.velocity;
+        let is_even = match &placed.piece {
+            Piece::Straight(_) => true,
+            // On an arc an axis has its own limits at each place.
+            Piece::Helix(_) if self.limits.axes.is_some() => false,
+            Piece::Helix(_) => rates.velocity < GENTLE * even.slowest(&self.limits),
+            _ => false,
+        };
+        let length = placed.piece.length();
+        if !is_even || length < 2.0 * lead + ramp + EVEN_TIME * rates.velocity {
+            return placed;
+        }
+        let mut head = placed.clone();
+        head.piece = placed.piece.part(0.0, lead);
+        head.end = Joint::Smooth;
+        self.course.push(head, &self.limits);
+        self.course.moving[1] = true;
+        self.run(motion);
+        let mut middle = placed.clone();
+        middle.piece = placed.piece.part(lead, length - lead);
+        if let Some((even, _)) = &mut self.even {
+            even.push(middle, &self.limits);
+        }
+        self.course.moving[0] = true;
+        let mut tail = placed;
+        tail.piece = tail.piece.part(length - lead, length);
+        tail
+    }
+
+    /// Stays at rest for the dwells up to a move.
+    fn dwell(&mut self, block: u32, motion: &mut Motion) {
+        let mut done = 0;
+        while done < self.dwells.len() && self.dwells[done].0 <= block {
+            let end = self.start + self.dwells[done].1;
+            done += 1;
+            if let Some((point, block)) = self.rest {
+                while self.next as f64 * self.limits.period < end {
+                    let time = self.next as f64 * self.limits.period;
+                    motion.push(Sample { time, point, rates: [0.0; 4], block });
+                    self.next += 1;
+                }
+                self.start = end;
+            }
+        }
+        self.dwells.drain(..done);
+    }
+
+    /// Plans and samples the run at hand, to rest at its end.
+    fn run(&mut self, motion: &mut Motion) {
+        if self.course.is_empty() {
+            return;
+        }
+        let plan = if self.limits.mode == Mode::Textbook { textbook } else { law };
+        let phases = plan(&self.course, &self.limits);
+        let course = std::mem::take(&mut self.course);
+        if let (Some((even, [from, speed])), Some(first)) = (self.even.take(), phases.first()) {
+            let [on, next, ..] = first.at(0.0);
+            let rates = even_rates(&even, &self.limits);
+            let phases = cruise(from, even.length + on - from, [speed, next], &rates);
+            self.sample(&even, &phases, motion);
+        }
+        self.sample(&course, &phases, motion);
+        if course.moving[1] {
+            let last = phases.last().map_or([0.0; 4], |phase| phase.at(phase.duration));
+            self.even = Some((Course::default(), [last[0] - course.length, last[1]]));
+        }
+        self.course = course;
+        let mut at = 0;
+        let end = self.course.frame(self.course.length, &mut at);
+        self.rest = Some((end.point, self.course.block(at)));
+        self.course.clear();
+    }
+
+    /// Takes samples of a law.
+    fn sample(&mut self, course: &Course, phases: &[Phase], motion: &mut Motion) {
+        let mut at = 0;
+        for phase in phases {
             let end = self.start + phase.duration;
             loop {
                 let time = self.next as f64 * self.limits.period;
@@ -166,20 +231,46 @@ impl Planner {
                     break;
                 }
                 let [s, v, a, j] = phase.at(time - self.start);
-                let frame = piece.frame(s);
-                let across = frame.curvature * (v * v);
+                let frame = course.frame(s, &mut at);
+                let square = v * v;
+                let acceleration = frame.tangent * a + frame.curvature * square;
                 let jerk = frame.tangent * j
                     + frame.curvature * (3.0 * v * a)
-                    + frame.sharpness * (v * v * v);
-                motion.push(Sample {
-                    time,
-                    point: frame.point,
-                    rates: [v, a, across.length(), jerk.length()],
-                    block: self.block,
-                });
+                    + frame.sharpness * (square * v);
+                let pace = frame.tangent.length();
+                let along = acceleration.dot(frame.tangent) / pace;
+                let across = (acceleration.length_squared() - along * along).max(0.0).sqrt();
+                let rates = [v * pace, along, across, jerk.length()];
+                let block = course.block(at);
+                motion.push(Sample { time, point: frame.point, rates, block });
                 self.next += 1;
             }
             self.start = end;
         }
     }
+}
+
+/// What is left to the speed along an even stretch: half the limits where it bends gently.
+///
+/// There `v³κ² ≤ J/8` and `3 v a κ ≤ J/2`, and with `j ≤ J/2` the jerk is below `0.81 J`.
+fn even_rates(even: &Course, limits: &Limits) -> Rates {
+    let mut rates = Rates {
+        velocity: 0.999 * even.cap(),
+        acceleration: limits.acceleration,
+        jerk: limits.jerk,
+        snap: limits.snap(),
+    };
+    let frame = even.frame(0.0, &mut 0);
+    if let Some(axes) = &limits.axes {
+        for axis in 0..3 {
+            let share = frame.tangent[axis].abs().max(1.0e-9);
+            rates.acceleration = rates.acceleration.min(axes.acceleration[axis] / share);
+            rates.jerk = rates.jerk.min(axes.jerk[axis] / share);
+        }
+    }
+    let turning = 3.0 * rates.velocity * frame.curvature.length();
+    rates.acceleration = 0.5 * rates.acceleration.min(rates.jerk / turning.max(1.0e-9));
+    rates.jerk *= 0.5;
+    rates.snap *= 0.5;
+    rates
 }

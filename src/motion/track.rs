@@ -9,8 +9,8 @@ use glam::DVec3;
 
 use super::blend::{Rough, SHARPEST};
 use super::{
-    ByLength, Corner, CornerCurve, CornerShape, CurvatureSteps, Fitted, Fitter, Frame, Helix,
-    Limits, Mode, Piece, Straight, Unwound,
+    ByLength, Corner, CornerCurve, CornerShape, CurvatureSteps, Eased, Fitted, Fitter, Frame,
+    Helix, Limits, Mode, Piece, Straight, Unwound,
 };
 use crate::contour::{Move, MoveCurve};
 
@@ -87,6 +87,7 @@ const LEAST_REST: f64 = 1e-10;
 const GAP: f64 = 1e-6;
 
 /// Makes a track of moves as they come; each piece is handed out when the next two moves are known.
+#[expect(clippy::struct_excessive_bools, reason = "each tells of something else")]
 #[derive(Debug, Clone)]
 pub struct TrackBuilder {
     deviation: f64,
@@ -98,6 +99,8 @@ pub struct TrackBuilder {
     block: u32,
     /// Whether the tool rests before the next move.
     rests: bool,
+    /// Whether it rests before the next fitted piece.
+    fit_rests: bool,
     /// Where the last move ends [mm].
     end: Option<DVec3>,
     incoming: Option<Stretch>,
@@ -182,6 +185,7 @@ impl TrackBuilder {
                 && limits.corner_deviation > 0.0,
             block: 0,
             rests: false,
+            fit_rests: false,
             end: None,
             incoming: None,
             meets: Meeting::As(Joint::Stop),
@@ -206,6 +210,9 @@ impl TrackBuilder {
             self.rests |= rests;
         }
         if fits {
+            if self.fitter.is_none() {
+                self.fit_rests = std::mem::take(&mut self.rests);
+            }
             let deviation = self.deviation;
             let fitter = self.fitter.get_or_insert_with(|| Fitter::new(from, deviation));
             let to = one.plane.place(one.curve.end(), one.heights[1]);
@@ -237,6 +244,7 @@ impl TrackBuilder {
             let block = one.blocks.first().map_or(0, |(_, block)| *block);
             let mut stretch = Stretch::new(one.piece, block, one.feed);
             stretch.off = one.off;
+            stretch.rests = std::mem::take(&mut self.fit_rests);
             if one.blocks.len() > 1 {
                 stretch.ends = one.blocks;
             }
@@ -332,7 +340,7 @@ impl TrackBuilder {
         if is_turn && let (Piece::Straight(_), Piece::Straight(_)) = (&before.piece, &next.piece) {
             return match CornerShape::between(self.corner, end.tangent, start.tangent) {
                 Some(shape) if deviation > 0.0 && shape.half_cosine() >= SHARPEST => {
-                    Meeting::Lines(shape, deviation * (shape.leg() / shape.deviation()))
+                    Meeting::Lines(shape, deviation / shape.deviation_per_leg())
                 }
                 _ => Meeting::As(Joint::Stop),
             };
@@ -367,7 +375,13 @@ impl TrackBuilder {
                 let tangents = [&incoming, &outgoing].map(|one| one.piece.frame(0.0).tangent);
                 let at = outgoing.piece.frame(0.0).point;
                 leg = wanted.min(most);
-                if let Some(corner) = Corner::with_leg(shape.curve(), at, tangents, leg) {
+                let (a, b) = (&incoming.piece, &outgoing.piece);
+                let legs = [a.part(a.length() - leg, a.length()), b.part(0.0, leg)];
+                if shape.curve() == CornerCurve::Eased {
+                    joint = Joint::Smooth;
+                    let curve = Piece::Eased(Eased::with_leg(at, tangents, leg));
+                    rounded = Some((curve, Some(Box::new(legs))));
+                } else if let Some(corner) = Corner::with_leg(shape.curve(), at, tangents, leg) {
                     joint = Joint::Smooth;
                     if self.corner == CornerCurve::Ph5 {
                         let sharpness = corner.frame(0.0).sharpness.length();

@@ -195,6 +195,15 @@ impl Motion {
                     break;
                 }
             }
+            // A fitted curve may count to any of the moves that it runs along.
+            let mut k = from;
+            while near > limit && k > 0 && self.block[k - 1] as usize + MOST_NEIGHBOURS > index {
+                k -= 1;
+                let here = to_line(self.point(k), self.point((k + 1).min(self.len() - 1)), corner);
+                if here < near {
+                    (near, time) = (here, self.time[k]);
+                }
+            }
             if near.is_finite() {
                 found.deviation.meet(near, limit + limits.chord_error, time);
             }

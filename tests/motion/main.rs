@@ -8,4 +8,7 @@ mod fit;
 mod interpolation;
 mod involutes;
 mod lengths;
+mod limits;
+mod shapes;
+mod times;
 mod tracks;

@@ -237,7 +237,8 @@ fn a_leg_takes_what_its_neighbour_leaves() {
         line(p(50.0, 0.0), p(50.0, 2.0)),
         line(p(50.0, 2.0), p(50.0, 2.0) + gentle * 50.0),
     ];
-    let track = track(&moves, &Limits { fit: false, ..Limits::default() });
+    let limits = Limits { fit: false, corner: CornerCurve::Ph13, ..Limits::default() };
+    let track = track(&moves, &limits);
     let corners: Vec<_> = track.iter().filter_map(Placed::legs).collect();
     let [sharp, gentle] = [&corners[0][1], &corners[1][0]].map(Piece::length);
     near(sharp, 0.05 * 3.494_66, 1e-5, "leg of the right angle");

@@ -21,6 +21,10 @@ pub enum CornerCurve {
     /// Degree 5, `w = (1, 0, E)`: only the curvature vanishes at both ends, so its derivative, and
     /// the jerk with it, jumps there.
     Ph5,
+    /// No Pythagorean-hodograph curve, but the one along which a velocity changes evenly from one
+    /// line's direction to the other's, of degree 8: the tool slows down in it, and takes less time
+    /// where jerk is what limits.
+    Eased,
 }
 
 /// Coefficients by powers of `y`, the lowest first.
@@ -90,7 +94,8 @@ const PH5: Family =
 impl CornerCurve {
     pub(super) fn family(self) -> &'static Family {
         match self {
-            Self::Ph13 => &PH13,
+            // An eased corner has no such curve, and asks for none.
+            Self::Ph13 | Self::Eased => &PH13,
             Self::Ph11 => &PH11,
             Self::Ph9 => &PH9,
             Self::Ph5 => &PH5,

@@ -45,6 +45,17 @@ impl CornerShape {
         (half_cos > 1e-8).then_some(Self { curve, cos, sin, half_cos, free })
     }
 
+    /// Distance from the corner for a leg of 1; for an eased corner `35/256` of the distance of the
+    /// unit tangents.
+    #[must_use]
+    pub fn deviation_per_leg(&self) -> f64 {
+        if self.curve == CornerCurve::Eased {
+            35.0 / 64.0 * self.sin * self.cos
+        } else {
+            self.deviation() / self.leg()
+        }
+    }
+
     /// Which curve it is.
     #[must_use]
     pub fn curve(&self) -> CornerCurve {

@@ -1,4 +1,4 @@
-//! Ramps of velocity on a straight stretch: acceleration and jerk zero at both ends, snap bounded.
+//! Ramps of velocity where a path has little to say: acceleration and jerk zero at both ends, snap bounded.
 
 use super::law::{Phase, State};
 use crate::geometry::nth_root;
@@ -85,26 +85,50 @@ fn add_ramp(law: &mut Vec<Phase>, s: f64, from: f64, to: f64, rates: &Rates) -> 
     s + 0.5 * (from + to) * times.total()
 }
 
-/// The law over a length [mm] from rest to rest: ramp, cruise, ramp.
-pub(in crate::motion) fn rest_to_rest(law: &mut Vec<Phase>, s: f64, length: f64, rates: &Rates) {
-    let ramps = |velocity: f64| velocity * ramp_time(velocity, rates);
-    let mut top = rates.velocity;
+/// The law over a length [mm] between two speeds: ramp, cruise, ramp. It cruises at the speed of the
+/// rates, or at the larger of the two where there is no room for more.
+pub(in crate::motion) fn cruise(
+    s: f64,
+    length: f64,
+    [from, to]: [f64; 2],
+    rates: &Rates,
+) -> Vec<Phase> {
+    let ramps = |top: f64| {
+        0.5 * ((from + top) * ramp_time(top - from, rates)
+            + (top + to) * ramp_time(top - to, rates))
+    };
+    let mut top = rates.velocity.max(from).max(to);
     if ramps(top) > length {
-        // The length of both ramps grows with the velocity between them.
-        let mut low = 0.0;
-        for _ in 0..60 {
-            let middle = 0.5 * (low + top);
-            if ramps(middle) > length { top = middle } else { low = middle }
+        top = from.max(to);
+    }
+    let mut law = Vec::new();
+    let on = add_ramp(&mut law, s, from, top, rates);
+    let left = (length - ramps(top)).max(0.0);
+    law.push(Phase::of_snap(left / top, [on, top, 0.0, 0.0], 0.0));
+    add_ramp(&mut law, on + left, top, to, rates);
+    law
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cruise_ends_where_and_as_it_is_to_and_keeps_its_rates() {
+        let rates = Rates { velocity: 50.0, acceleration: 900.0, jerk: 3.0e4, snap: 5.0e6 };
+        for speeds in [[0.0, 0.0], [10.0, 49.0], [49.5, 3.0], [50.0, 50.0]] {
+            let law = cruise(2.0, 40.0, speeds, &rates);
+            let mut last = [2.0, speeds[0], 0.0, 0.0];
+            for phase in &law {
+                for (found, meant) in phase.at(0.0).into_iter().zip(last) {
+                    assert!((found - meant).abs() < 1e-6 * (1.0 + meant.abs()), "{speeds:?}");
+                }
+                last = phase.at(phase.duration);
+                assert!(last[1] < 50.0 + 1e-9 && last[2].abs() < 900.0 + 1e-6, "{speeds:?}");
+                assert!(last[3].abs() < 3.0e4 + 1e-6, "{speeds:?}: jerk {}", last[3]);
+            }
+            assert!((last[0] - 42.0).abs() < 1e-9, "{speeds:?} ends at {}", last[0]);
+            assert!((last[1] - speeds[1]).abs() < 1e-9, "{speeds:?} ends at {}", last[1]);
         }
-        top = low;
     }
-    if top <= 0.0 {
-        return;
-    }
-    let on = add_ramp(law, s, 0.0, top, rates);
-    let cruise = length - ramps(top);
-    if cruise > 0.0 {
-        law.push(Phase::of_snap(cruise / top, [on, top, 0.0, 0.0], 0.0));
-    }
-    add_ramp(law, on + cruise.max(0.0), top, 0.0, rates);
 }

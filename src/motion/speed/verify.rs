@@ -1,0 +1,85 @@
+//! How far a law exceeds limits between the places where it was made to hold them.
+
+use glam::DVec3;
+
+use super::course::{Course, across};
+use super::law::Phase;
+use super::retime::Bounds;
+use crate::motion::Limits;
+
+/// Places per phase.
+const PLACES: usize = 5;
+
+/// Part of the change of jerk in a period that is left to what lies between the places.
+const BETWEEN: f64 = 0.94;
+
+/// What was found.
+#[derive(Debug, Clone)]
+pub(super) struct Excess {
+    /// For each phase, acceleration, jerk and snap over their limits.
+    pub(super) phases: Vec<[f64; 3]>,
+    /// The factor on time that puts all right; at most 1 where nothing is wrong.
+    pub(super) factor: f64,
+}
+
+/// Looks at a law between its knots.
+pub(super) fn verify(course: &Course, limits: &Limits, bounds: &Bounds, law: &[Phase]) -> Excess {
+    let mut excess = Excess { phases: Vec::with_capacity(law.len()), factor: 0.0 };
+    let mut at = 0;
+    let mut factor = 0.0_f64;
+    let mut broken = false;
+    // Jerks of the last period or so.
+    let mut before: Vec<(f64, DVec3)> = Vec::new();
+    let mut oldest = 0;
+    let mut start = 0.0;
+    for phase in law {
+        let mut worst = [0.0_f64; 3];
+        for place in 0..PLACES {
+            let time = phase.duration * place as f64 / PLACES as f64;
+            let [s, v, a, j] = phase.at(time);
+            let frame = course.frame(s, &mut at);
+            let acceleration = frame.tangent * a + frame.curvature * (v * v);
+            let jerk =
+                frame.tangent * j + frame.curvature * (3.0 * v * a) + frame.sharpness * (v * v * v);
+            for [by_a, by_j] in &bounds.scales {
+                worst[0] = worst[0].max((acceleration * *by_a).length());
+                worst[1] = worst[1].max((jerk * *by_j).length());
+            }
+            let (cap, _) = course.between(s, s, at, limits);
+            let mut over = v * frame.tangent.length() / cap;
+            if let Some(axes) = &limits.axes {
+                for axis in 0..3 {
+                    over = over.max(v * frame.tangent[axis].abs() / axes.velocity[axis]);
+                }
+            }
+            let chord = across(&frame) / (8.0 * limits.chord_error);
+            over = over.max(v * limits.period * chord.sqrt());
+            factor = factor.max(over);
+            broken |= !(v + a + j).is_finite() || v < -1.0e-6;
+            // Against the jerk a period ago, or a little more.
+            let now = start + time;
+            before.push((now, jerk));
+            while oldest + 1 < before.len() && before[oldest + 1].0 <= now - limits.period {
+                oldest += 1;
+            }
+            // Between the places on either side of a period ago.
+            let (then, mut old) = before[oldest];
+            let back = now - limits.period;
+            if back > then && oldest + 1 < before.len() {
+                let (next, following) = before[oldest + 1];
+                old = old.lerp(following, (back - then) / (next - then));
+            }
+            let most = BETWEEN * bounds.snap * limits.period;
+            worst[2] = worst[2].max((jerk - old).length() / most);
+            if oldest > 1000 {
+                before.drain(..oldest);
+                oldest = 0;
+            }
+        }
+        start += phase.duration;
+        factor = factor.max(worst[0].sqrt()).max(worst[1].cbrt()).max(worst[2].sqrt().sqrt());
+        excess.phases.push(worst);
+    }
+    excess.factor = if broken { f64::INFINITY } else { factor };
+    excess
+}

@@ -1,0 +1,176 @@
+//! Limits of planned motion, judged from its samples, on many shapes and two machines.
+
+use g41::contour::Move;
+use g41::motion::{AxisLimits, CornerCurve, CurvatureSteps, Limits, Motion, Planner, plan};
+
+use crate::shapes;
+
+fn fast() -> Limits {
+    Limits {
+        velocity: 500.0,
+        acceleration: 5000.0,
+        jerk: 5.0e5,
+        corner_deviation: 0.02,
+        ..Limits::default()
+    }
+}
+
+/// Plans moves, and holds the samples to every limit.
+fn hold(name: &str, moves: &[Move], limits: &Limits) -> Motion {
+    let motion = plan(moves, limits).expect("limits within reason");
+    let found = motion.violations(moves, limits);
+    for (what, peak, most) in [
+        ("velocity", found.velocity, 1.0),
+        ("feed", found.feed, 1.0),
+        ("acceleration", found.acceleration, 1.0),
+        ("jerk", found.jerk, 1.0),
+        ("change of jerk", found.jerk_change, 1.0),
+        ("deviation", found.deviation, 1.0),
+        ("chord error", found.chord_error, 1.0),
+    ] {
+        let ratio = peak.ratio();
+        // 1.000: what rounding to three places leaves.
+        assert!(ratio < most + 5e-4, "{name}: {what} {ratio} of its limit, {peak:?}");
+    }
+    for (axis, peaks) in found.axes.iter().enumerate() {
+        for peak in peaks {
+            assert!(peak.ratio() < 1.0 + 5e-4, "{name}: axis {axis}: {peak:?}");
+        }
+    }
+    assert!(found.end < 1e-9, "{name}: ends {} off", found.end);
+    motion
+}
+
+#[test]
+fn no_limit_is_broken_on_polylines() {
+    for limits in [Limits::default(), fast()] {
+        hold("square", &shapes::square(), &limits);
+        hold("star", &shapes::star(), &limits);
+        hold("random 2-D", &shapes::random_2d(), &limits);
+        hold("random 3-D", &shapes::random_3d(), &limits);
+    }
+}
+
+#[test]
+fn no_limit_is_broken_on_spirals() {
+    for limits in [Limits::default(), fast()] {
+        for count in [401, 1001, 10001] {
+            hold(&format!("spiral of {count}"), &shapes::spiral(count), &limits);
+        }
+    }
+}
+
+#[test]
+fn no_limit_is_broken_along_compensated_arcs_and_splines() {
+    for limits in [Limits::default(), fast()] {
+        for (name, text) in shapes::PROGRAMS {
+            hold(name, &shapes::compensated(text, 1.5), &limits);
+        }
+    }
+}
+
+#[test]
+fn no_limit_is_broken_with_any_corner_curve_or_with_exact_stops() {
+    // The corner of degree 5 has steps of the jerk, so its change is not asked about.
+    for corner in [CornerCurve::Ph13, CornerCurve::Ph11, CornerCurve::Ph9] {
+        hold("star", &shapes::star(), &Limits { corner, ..Limits::default() });
+    }
+    let stops = Limits { exact_stop: true, ..Limits::default() };
+    let motion = hold("stops", &shapes::square(), &stops);
+    let rests = motion.velocity.iter().filter(|velocity| **velocity < 1.0).count();
+    assert!(rests >= 6, "the tool rests at each corner: {rests}");
+}
+
+#[test]
+fn axes_keep_their_own_limits() {
+    let axes = AxisLimits {
+        velocity: [150.0, 80.0, 20.0],
+        acceleration: [1500.0, 900.0, 300.0],
+        jerk: [4.0e4, 2.0e4, 1.0e4],
+    };
+    let limits = Limits { axes: Some(axes), ..Limits::default() };
+    let slow = hold("random 3-D", &shapes::random_3d(), &limits).duration;
+    let quick = plan(&shapes::random_3d(), &Limits::default()).expect("limits").duration;
+    assert!(slow > quick, "slower axes take longer: {slow} than {quick}");
+    hold("square", &shapes::square(), &limits);
+}
+
+#[test]
+fn steps_of_curvature_are_passed_slowly_or_at_rest() {
+    let (_, slot) = shapes::PROGRAMS[4];
+    let moves = shapes::compensated(slot, 1.5);
+    for curvature_steps in [CurvatureSteps::Slow, CurvatureSteps::Stop] {
+        let limits = Limits { curvature_steps, ..Limits::default() };
+        let motion = plan(&moves, &limits).expect("limits");
+        let found = motion.violations(&moves, &limits);
+        assert!(found.acceleration.ratio() < 1.0005, "{curvature_steps:?}: {found:?}");
+        assert!(found.jerk.ratio() < 1.0005, "{curvature_steps:?}: {found:?}");
+    }
+}
+
+#[test]
+fn feeds_are_kept_and_overridden() {
+    let mut moves = shapes::square();
+    for (one, feed) in moves.iter_mut().zip([20.0, 60.0, 5.0, 40.0, 100.0]) {
+        one.feed = Some(feed);
+    }
+    let plain = hold("feeds", &moves, &Limits::default()).duration;
+    let limits = Limits { feed_override: 0.5, ..Limits::default() };
+    let halved = hold("half the feeds", &moves, &limits).duration;
+    assert!(halved > 1.8 * plain, "half the feed takes nearly twice as long: {halved}, {plain}");
+    let ideal = 50.0 / 20.0 + 50.0 / 60.0 + 50.0 / 5.0 + 50.0 / 40.0 + 25.0 / 100.0;
+    assert!(plain > ideal && plain < 1.05 * ideal, "{plain} for {ideal} at the bare feeds");
+}
+
+#[test]
+fn dwells_stand_still_for_their_time() {
+    let moves = shapes::square();
+    let mut planner = Planner::new(&Limits::default()).expect("limits");
+    let mut motion = Motion::default();
+    for (index, one) in moves.iter().enumerate() {
+        if index == 2 {
+            planner.pause(0.25, &mut motion);
+        }
+        planner.push(one, &mut motion);
+    }
+    planner.finish(&mut motion);
+    let corner = glam::dvec3(50.0, 50.0, 0.0);
+    let there = (0..motion.len()).filter(|k| motion.point(*k).distance(corner) < 1e-9).count();
+    assert!((250..=252).contains(&there), "{there} periods at the corner");
+    let bad = motion.violations(&moves, &Limits::default()).worst();
+    assert!(bad < 1.0005, "{bad} of a limit");
+}
+
+#[test]
+fn tiny_and_awkward_paths_are_planned() {
+    let at = |x: f64, y: f64| glam::dvec3(x, y, 0.0);
+    for (name, points) in [
+        ("a micrometre", vec![at(0.0, 0.0), at(1e-3, 0.0)]),
+        ("there and back", vec![at(0.0, 0.0), at(10.0, 0.0), at(0.0, 0.0)]),
+        ("collinear", vec![at(0.0, 0.0), at(1.0, 0.0), at(2.0, 0.0), at(30.0, 0.0)]),
+        ("nearly straight", vec![at(0.0, 0.0), at(10.0, 0.0), at(20.0, 1e-4)]),
+        ("nearly back", vec![at(0.0, 0.0), at(10.0, 0.0), at(0.0, 0.2)]),
+        ("steps of a micrometre", (0..60).map(|k| at(f64::from(k) * 1e-3, 0.0)).collect()),
+        ("a long way", vec![at(0.0, 0.0), at(2000.0, 0.0), at(2000.0, 1.0)]),
+    ] {
+        let moves = shapes::polyline(&points);
+        for limits in [Limits::default(), fast()] {
+            let motion = hold(name, &moves, &limits);
+            assert!(motion.duration < 60.0, "{name}: {} s", motion.duration);
+        }
+    }
+    assert!(plan(&[], &Limits::default()).expect("limits").is_empty(), "no moves, no samples");
+}
+
+#[test]
+fn bad_limits_are_named() {
+    for (name, limits) in [
+        ("velocity", Limits { velocity: 0.0, ..Limits::default() }),
+        ("jerk", Limits { jerk: f64::NAN, ..Limits::default() }),
+        ("period", Limits { period: -1.0, ..Limits::default() }),
+        ("cornerDeviation", Limits { corner_deviation: -0.1, ..Limits::default() }),
+    ] {
+        let error = plan(&shapes::square(), &limits).expect_err("a limit that cannot be held");
+        assert_eq!(error.name, name, "the limit at fault");
+    }
+}

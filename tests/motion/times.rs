@@ -1,0 +1,105 @@
+//! Cycle times beside those of other methods on the same shapes and machine: 200 mm/s, 2000 mm/s²,
+//! 5e4 mm/s³, a deviation of 0.05 mm, 1 ms.
+//!
+//! The others were computed by a separate program: full stops with S-curves of seven segments (jerk
+//! in steps); ramps of quintics with look-ahead and stops where they are faster; and the same with
+//! trapezoids of acceleration whose edges are smooth. All keep the limit of jerk.
+
+use g41::contour::Move;
+use g41::motion::{CornerCurve, Limits, Mode, plan};
+use glam::{DVec2, DVec3};
+
+use crate::shapes;
+
+fn time(moves: &[Move], limits: &Limits) -> f64 {
+    plan(moves, limits).expect("limits").duration
+}
+
+#[test]
+fn cycle_times_are_at_least_a_tenth_better_on_random_paths_and_no_worse_on_any() {
+    // Full stops, quintics, smooth trapezoids [s], and the part of the better of the last two that
+    // is asked for.
+    let rows = [
+        ("square", shapes::square(), [1.827_f64, 2.021, 1.932], 1.0),
+        ("star", shapes::star(), [2.602, 2.822, 2.702], 1.0),
+        ("random 2-D", shapes::random_2d(), [28.34, 28.62, 28.95], 0.9),
+        ("random 3-D", shapes::random_3d(), [28.62, 27.40, 27.55], 0.9),
+        ("spiral of 401", shapes::spiral(401), [59.62, 24.22, 24.37], 0.9),
+        ("spiral of 1001", shapes::spiral(1001), [109.9, 25.80, 25.83], 0.9),
+        ("spiral of 10001", shapes::spiral(10001), [510.1, 55.59, 55.59], 0.9),
+    ];
+    for (name, moves, [stops, quintics, trapezoids], part) in rows {
+        let ours = time(&moves, &Limits::default());
+        println!("{name}: {ours:.3} s; {stops}, {quintics}, {trapezoids}");
+        let best = quintics.min(trapezoids);
+        assert!(ours <= part * best, "{name}: {ours} s for {best} s");
+        assert!(
+            ours < 1.03 * stops,
+            "{name}: {ours} s, with full stops and steps of jerk {stops} s"
+        );
+    }
+}
+
+/// Corners that turn to and fro by an angle [rad], a length [mm] apart.
+fn zigzag(count: usize, turn: f64, length: f64) -> Vec<Move> {
+    let mut points = vec![DVec3::ZERO];
+    for index in 0..count {
+        let angle = if index % 2 == 0 { 0.0 } else { turn };
+        points.push(points[index] + (DVec2::from_angle(angle) * length).extend(0.0));
+    }
+    shapes::polyline(&points)
+}
+
+#[test]
+fn corner_after_corner_takes_the_time_of_the_third_order_optimum() {
+    // Half of the way from corner to corner of the curve of degree 13, by sequential quadratic
+    // programming in a separate program: turn [°], length [mm], and time [ms].
+    for (degrees, half, jerk, deviation, optimum) in [
+        (90.0_f64, 2.5, 5.0e4, 0.05, 75.2),
+        (45.0, 2.5, 5.0e4, 0.05, 64.5),
+        (90.0, 10.0, 5.0e4, 0.05, 124.5),
+        (30.0, 2.5, 5.0e5, 0.02, 30.9),
+    ] {
+        let fast = jerk > 1.0e5;
+        let mut limits = Limits {
+            velocity: if fast { 500.0 } else { 200.0 },
+            acceleration: if fast { 5000.0 } else { 2000.0 },
+            jerk,
+            corner_deviation: deviation,
+            corner: CornerCurve::Ph13,
+            fit: false,
+            // Of third order: jerk may do nearly what it likes.
+            snap: Some(jerk / 0.5e-3),
+            ..Limits::default()
+        };
+        let half_way = |limits: &Limits| {
+            let of = |count| time(&zigzag(count, degrees.to_radians(), 2.0 * half), limits);
+            (of(14) - of(8)) / 12.0 * 1e3
+        };
+        let third = half_way(&limits);
+        assert!(third < 1.05 * optimum, "{degrees}°, {half} mm: {third} ms for {optimum} ms");
+        assert!(third > 0.97 * optimum, "{degrees}°, {half} mm: {third} ms are too good");
+        (limits.snap, limits.corner) = (None, CornerCurve::Eased);
+        let eased = half_way(&limits);
+        println!(
+            "{degrees}°, {half} mm: {third:.2} ms for {optimum}; eased, snap bounded {eased:.2}"
+        );
+        assert!(eased < 1.15 * optimum, "{degrees}°, {half} mm: eased {eased} ms");
+    }
+}
+
+#[test]
+fn the_textbook_is_slow_on_long_lines_and_breaks_the_limit_of_jerk() {
+    let textbook = Limits { mode: Mode::Textbook, ..Limits::default() };
+    // One quintic from midpoint to midpoint never exceeds the faster of the two.
+    let square = time(&shapes::square(), &textbook);
+    assert!((square / 38.1 - 1.0).abs() < 0.05, "the square took 38.1 s elsewhere: {square}");
+    let star = time(&shapes::star(), &textbook);
+    assert!((star / 203.3 - 1.0).abs() < 0.05, "the star took 203.3 s elsewhere: {star}");
+    // At a turn of 10° the jerk is 9.4 times what ∛(Jmax/κ²) takes it for, at constant speed.
+    let moves = zigzag(12, 10.0_f64.to_radians(), 5.0);
+    let motion = plan(&moves, &textbook).expect("limits");
+    let corner = motion.time.iter().position(|time| *time > 0.5 * motion.duration).expect("half");
+    let most = motion.jerk[corner / 2..corner].iter().fold(0.0_f64, |most, jerk| most.max(*jerk));
+    assert!(most > 5.0 * 5.0e4, "jerk {most}");
+}
