@@ -110,9 +110,10 @@ fn limits_of(numbers: &[f64]) -> Limits {
             _ => CurvatureSteps::Stop,
         },
         corner: match at(10) {
-            ..0.5 => CornerCurve::Ph13,
-            0.5..1.5 => CornerCurve::Ph11,
-            1.5..2.5 => CornerCurve::Ph9,
+            ..0.5 => CornerCurve::Eased,
+            0.5..1.5 => CornerCurve::Ph13,
+            1.5..2.5 => CornerCurve::Ph11,
+            2.5..3.5 => CornerCurve::Ph9,
             _ => CornerCurve::Ph5,
         },
         exact_stop: at(11) > 0.0,

@@ -125,7 +125,7 @@ const motion = {
       help:
         "what the machine can do: velocity [mm/s], acceleration [mm/s²] and jerk [mm/s³]; beside these " +
         "there are cornerDeviation [mm], chordError [mm], period [s], snap [mm/s⁴], feedOverride, mode " +
-        "(fast, textbook), curvatureSteps (round, slow, stop), corner (ph13, ph11, ph9, ph5), exactStop " +
+        "(fast, textbook), curvatureSteps (round, slow, stop), corner (eased, ph13, ph11, ph9, ph5), exactStop " +
         "(true, false), axes.velocity, axes.acceleration and axes.jerk (X/Y/Z)",
     },
     "all-blocks": { help: "list all blocks in the order of the program, not the longest alone" },

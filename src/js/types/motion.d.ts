@@ -44,9 +44,10 @@ export interface Limits {
   curvatureSteps?: "round" | "slow" | "stop";
   /**
    * The Pythagorean-hodograph curve that rounds corners, by its degree. `"ph5"` has continuous curvature
-   * only, the others a continuous rate of it too. Default `"ph13"`.
+   * only, the others a continuous rate of it too. Default
+   * `"eased"`: not one of them, but a curve in which the tool slows down, the quickest.
    */
-  corner?: "ph13" | "ph11" | "ph9" | "ph5";
+  corner?: "eased" | "ph13" | "ph11" | "ph9" | "ph5";
   /** Whether the tool stops at the end of each block, as after G61.1. Default `false`. */
   exactStop?: boolean;
 }
