@@ -43,9 +43,9 @@ export interface Limits {
    */
   curvatureSteps?: "round" | "slow" | "stop";
   /**
-   * The Pythagorean-hodograph curve that rounds corners, by its degree. `"ph5"` has continuous curvature
-   * only, the others a continuous rate of it too. Default
-   * `"eased"`: not one of them, but a curve in which the tool slows down, the quickest.
+   * The curve that rounds corners: one that is passed in the least time, or a Pythagorean-hodograph curve by
+   * its degree, `"ph13"` the textbook's. `"ph5"` has continuous curvature only, the others a continuous rate
+   * of it too. Default `"eased"`.
    */
   corner?: "eased" | "ph13" | "ph11" | "ph9" | "ph5";
   /** Whether the tool stops at the end of each block, as after G61.1. Default `false`. */

@@ -21,7 +21,7 @@ export interface Machine {
   readonly override: number;
   readonly feed: "programmed" | "free";
   readonly mode: "fast" | "textbook";
-  readonly corner: "ph13" | "ph11" | "ph9" | "ph5";
+  readonly corner: "eased" | "ph13" | "ph11" | "ph9" | "ph5";
   readonly curvatureSteps: "round" | "slow" | "stop";
   readonly exactStop: "no" | "yes";
 }
@@ -60,7 +60,7 @@ export const SMALL: Machine = {
   override: 100,
   feed: "programmed",
   mode: "fast",
-  corner: "ph13",
+  corner: "eased",
   curvatureSteps: "round",
   exactStop: "no",
 };
@@ -172,8 +172,8 @@ export const LIMITS: readonly (readonly (NumberLimit | ChoiceLimit)[])[] = [
       kind: "choice",
       key: "corner",
       label: "Corner curve",
-      choices: { ph13: "PH 13", ph11: "11", ph9: "9", ph5: "5" },
-      hint: "Degree of the Pythagorean-hodograph curve that rounds corners; that of degree 5 has steps in its jerk",
+      choices: { eased: "Eased", ph13: "13", ph11: "11", ph9: "9", ph5: "5" },
+      hint: "The curve that rounds corners: one that is passed in the least time, or a Pythagorean-hodograph curve by its degree, of which that of degree 5 has steps in its jerk",
     },
     {
       kind: "choice",
