@@ -57,6 +57,10 @@ fn corners_are_passed_as_the_words_say() {
     );
     assert_near(with("G64"), given(limits), "G64");
     assert_near(with("G61.1\nG64"), given(limits), "G64 after G61.1");
+    let inside = |words: &str| {
+        time_of(&format!("G0 X0 Y0\nG1 X10 F6000\nX20 Y1\n{words}\nX30 Y0\nX40 Y1\nX50 Y0\n"))
+    };
+    assert!(inside("G61.1") > inside("G64"), "between lines that are fitted together");
     assert!(wide <= exact, "rounding is no slower: {wide} {exact}");
 }
 

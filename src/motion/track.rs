@@ -8,9 +8,10 @@
 use glam::DVec3;
 
 use super::blend::{Rough, SHARPEST};
+use super::pieces::pieces;
 use super::{
-    ByLength, Corner, CornerCurve, CornerShape, CurvatureSteps, Eased, Fitted, Fitter, Frame,
-    Helix, Limits, Mode, Piece, Straight, Unwound,
+    Corner, CornerCurve, CornerShape, CurvatureSteps, Eased, Fitted, Fitter, Frame, Limits, Mode,
+    Piece, Straight,
 };
 use crate::contour::{Move, MoveCurve};
 
@@ -94,8 +95,13 @@ pub struct TrackBuilder {
     corner: CornerCurve,
     steps: CurvatureSteps,
     exact_stop: bool,
-    /// Whether straight moves are fitted.
+    /// Whether straight moves are fitted where corners are rounded, and whether they are now.
+    may_fit: bool,
     fits: bool,
+    /// How corners are passed from the next move on.
+    blends: Option<(bool, f64)>,
+    /// Whether the next move begins wherever it does.
+    jumps: bool,
     block: u32,
     /// Whether the tool rests before the next move.
     rests: bool,
@@ -179,10 +185,10 @@ impl TrackBuilder {
             corner: limits.corner,
             steps: limits.curvature_steps,
             exact_stop: limits.exact_stop,
-            fits: limits.fit
-                && limits.mode == Mode::Fast
-                && !limits.exact_stop
-                && limits.corner_deviation > 0.0,
+            may_fit: limits.fit && limits.mode == Mode::Fast,
+            fits: false,
+            blends: Some((limits.exact_stop, limits.corner_deviation)),
+            jumps: false,
             block: 0,
             rests: false,
             fit_rests: false,
@@ -202,14 +208,22 @@ impl TrackBuilder {
         self.block += 1;
         let feed = one.feed.filter(|_| !one.rapid).unwrap_or(f64::INFINITY);
         let is_line = matches!(one.curve, MoveCurve::Line(_) | MoveCurve::Vertical(_));
-        let fits = self.fits && is_line && !one.rapid;
         let from = one.plane.place(one.curve.start(), one.heights[0]);
-        if self.rests || !fits || !self.fitter.as_ref().is_some_and(|fitter| fitter.is_at(from)) {
+        let goes_on = self.fits && is_line && !one.rapid && self.blends.is_none() && !self.rests;
+        if !goes_on || !self.fitter.as_ref().is_some_and(|fitter| fitter.is_at(from)) {
             let rests = std::mem::take(&mut self.rests);
             self.end_fit(track);
             self.rests |= rests;
         }
-        if fits {
+        if let Some((exact_stop, deviation)) = self.blends.take() {
+            self.exact_stop = exact_stop;
+            self.deviation = deviation.max(0.0);
+            self.fits = self.may_fit && !exact_stop && deviation > 0.0;
+        }
+        if std::mem::take(&mut self.jumps) {
+            self.end = None;
+        }
+        if self.fits && is_line && !one.rapid {
             if self.fitter.is_none() {
                 self.fit_rests = std::mem::take(&mut self.rests);
             }
@@ -260,14 +274,13 @@ impl TrackBuilder {
 
     /// From the next joint on, stops at the end of each move, or rounds within a deviation [mm].
     pub fn blend(&mut self, exact_stop: bool, deviation: f64) {
-        self.exact_stop = exact_stop;
-        self.deviation = deviation.max(0.0);
+        self.blends = Some((exact_stop, deviation));
     }
 
     /// Lets the tool rest, and the next move begin wherever it does: the coordinates are others.
     pub fn jump(&mut self) {
         self.rests = true;
-        self.end = None;
+        self.jumps = true;
     }
 
     /// Takes a piece. One that begins elsewhere than the last ended is reached by a rapid move, from
@@ -467,34 +480,4 @@ pub fn track(moves: &[Move], limits: &Limits) -> Vec<Placed> {
     }
     builder.finish(&mut track);
     track
-}
-
-/// The pieces of a move: none where nothing moves, several for a cubic with cusps.
-#[must_use]
-pub fn pieces(one: &Move) -> Vec<Piece> {
-    let Move { plane, heights, .. } = *one;
-    match &one.curve {
-        MoveCurve::Line(_) | MoveCurve::Vertical(_) => {
-            let from = plane.place(one.curve.start(), heights[0]);
-            let to = plane.place(one.curve.end(), heights[1]);
-            Straight::between(from, to).map(Piece::Straight).into_iter().collect()
-        }
-        MoveCurve::Arc(arc) => {
-            let reached = arc.center().distance(arc.end());
-            // Its end is on its circle, but for what rounding left.
-            if (reached - arc.radius()).abs() <= 1e-9 {
-                vec![Piece::Helix(Helix::of_arc(arc, plane, heights))]
-            } else {
-                let curve = ByLength::of_winding_arc(arc, plane, heights);
-                vec![Piece::Curve(Box::new(curve))]
-            }
-        }
-        MoveCurve::Involute(involute) => {
-            vec![Piece::Unwound(Unwound::of_involute(involute, plane, heights))]
-        }
-        MoveCurve::Cubic(cubic) => {
-            let parts = ByLength::of_cubic(cubic, plane, heights);
-            parts.into_iter().map(|part| Piece::Curve(Box::new(part))).collect()
-        }
-    }
 }
