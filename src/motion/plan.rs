@@ -4,7 +4,10 @@ use glam::DVec3;
 
 use super::sample::Sample;
 use super::speed::{Course, Phase, Rates, cruise, law, ramp_time, textbook};
-use super::{CornerCurve, Joint, Limits, LimitsError, Mode, Motion, Piece, Placed, TrackBuilder};
+use super::{
+    CornerCurve, Joint, Limits, LimitsError, MOST_SAMPLES, Mode, Motion, Piece, Placed,
+    TrackBuilder,
+};
 use crate::contour::Move;
 
 /// A run that takes longer is cut by a stop, so that what is held in memory, and the time until
@@ -183,7 +186,7 @@ impl Planner {
             let end = self.start + self.dwells[done].1;
             done += 1;
             if let Some((point, block)) = self.rest {
-                while self.next as f64 * self.limits.period < end {
+                while self.next as f64 * self.limits.period < end && motion.len() < MOST_SAMPLES {
                     let time = self.next as f64 * self.limits.period;
                     motion.push(Sample { time, point, rates: [0.0; 4], block });
                     self.next += 1;
@@ -227,7 +230,7 @@ impl Planner {
             let end = self.start + phase.duration;
             loop {
                 let time = self.next as f64 * self.limits.period;
-                if time >= end {
+                if time >= end || motion.len() >= MOST_SAMPLES {
                     break;
                 }
                 let [s, v, a, j] = phase.at(time - self.start);
