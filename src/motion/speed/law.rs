@@ -82,7 +82,8 @@ mod tests {
         let phase = Phase::between(0.7, from, to);
         for (time, state) in [(0.0, from), (0.7, to)] {
             for (found, meant) in phase.at(time).into_iter().zip(state) {
-                assert!((found - meant).abs() < 1e-11, "at {time}: {found} is {meant}");
+                let rounding = 1e-12 * (10.0 + meant.abs());
+                assert!((found - meant).abs() < rounding, "at {time}: {found} is {meant}");
             }
         }
     }
