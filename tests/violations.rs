@@ -130,8 +130,16 @@ fn limits_of_axes_are_those_of_x_y_and_z() {
         ["axis velocity"],
         "y is fastest where the circle begins, and z does not move"
     );
-    assert_eq!(broken(&motion, &moves, &axes(v, [39.0, 41.0, 1.0], j)), ["axis acceleration"]);
-    assert_eq!(broken(&motion, &moves, &axes(v, a, [82.0, 75.0, 1.0])), ["axis jerk"]);
+    assert_eq!(
+        broken(&motion, &moves, &axes(v, [39.0, 41.0, 1.0], j)),
+        ["axis acceleration"],
+        "the acceleration of x alone"
+    );
+    assert_eq!(
+        broken(&motion, &moves, &axes(v, a, [82.0, 75.0, 1.0])),
+        ["axis jerk"],
+        "the jerk of y alone"
+    );
 }
 
 #[test]
@@ -140,7 +148,7 @@ fn channels_that_are_beyond_a_limit_are_told_with_place_and_time() {
     motion.jerk[100] = 90.0;
     motion.jerk[101] = 95.0;
     let expected = Peak { value: 95.0, limit: 82.0, time: motion.time[101] };
-    assert_eq!(motion.violations(&moves, &loose()).jerk, expected);
+    assert_eq!(motion.violations(&moves, &loose()).jerk, expected, "the peak, and when it is");
     motion.jerk[100] = f64::NAN;
     assert_eq!(broken(&motion, &moves, &loose()), ["jerk"], "what is no number is broken");
     let (mut motion, moves) = circle();
@@ -159,9 +167,9 @@ fn a_programmed_feed_is_a_limit_with_its_override() {
     let (mut motion, mut moves) = circle();
     moves[0].feed = Some(18.0);
     motion.velocity[7] = 20.0;
-    assert_eq!(broken(&motion, &moves, &loose()), ["feed"]);
+    assert_eq!(broken(&motion, &moves, &loose()), ["feed"], "faster than the feed");
     let faster = Limits { feed_override: 1.2, ..loose() };
-    assert_eq!(broken(&motion, &moves, &faster), NONE);
+    assert_eq!(broken(&motion, &moves, &faster), NONE, "an override allows it");
     moves[0].rapid = true;
     assert_eq!(broken(&motion, &moves, &loose()), NONE, "a rapid move has none");
 }
@@ -187,8 +195,16 @@ fn samples_beside_the_path_or_short_of_its_end_are_found() {
         ..Limits::default()
     };
     assert_eq!(broken(&along(0.049, 1.0), &moves, &limits), NONE, "within the deviation");
-    assert_eq!(broken(&along(0.051, 1.0), &moves, &limits), ["deviation"]);
-    assert_eq!(broken(&along(0.0, 1.0 - 1e-8), &moves, &limits), ["end"]);
+    assert_eq!(
+        broken(&along(0.051, 1.0), &moves, &limits),
+        ["deviation"],
+        "a micrometre beyond the deviation"
+    );
+    assert_eq!(
+        broken(&along(0.0, 1.0 - 1e-8), &moves, &limits),
+        ["end"],
+        "ten nanometres short of the end"
+    );
 }
 
 #[test]

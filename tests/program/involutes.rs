@@ -96,7 +96,11 @@ fn each_plane_has_its_own_letters() {
         assert_eq!(involutes(&read), [only(TEXT)], "{word}");
         assert!(moves(&read).iter().all(|one| one.plane == plane), "{word}");
     }
-    assert_eq!(codes(&TEXT.replace('J', "K"), Dialect::Fanuc).last(), Some(&"word-not-understood"));
+    assert_eq!(
+        codes(&TEXT.replace('J', "K"), Dialect::Fanuc).last(),
+        Some(&"word-not-understood"),
+        "K belongs to another plane"
+    );
 }
 
 #[test]

@@ -47,7 +47,11 @@ fn other_axes_move_with_their_block_or_alone() {
         "M2",
     ];
     let (blocks, found) = written(program, Target::LinuxCnc);
-    assert_eq!((blocks.as_slice(), found.len()), (expected.map(String::from).as_slice(), 0));
+    assert_eq!(
+        (blocks.as_slice(), found.len()),
+        (expected.map(String::from).as_slice(), 0),
+        "all axes, in order"
+    );
     let (blocks, found) = written(program, Target::Grbl);
     let flat = ["G0 X0 Y0", "G1 X20 F300", "X25", "G2 Y10 J5 F400", "M2"];
     assert_eq!(blocks, flat, "grbl has three axes");
@@ -70,13 +74,17 @@ fn other_axes_turn_while_compensation_is_on() {
     let (blocks, found) = written(program, Target::LinuxCnc);
     assert!(found.is_empty(), "{found:?}");
     let expected = ["G0 X-20 Y0 Z0", "G1 X-3 F300", "Y43 A10", "X30", "A20", "Y60", "M2"];
-    assert_eq!(blocks, expected);
+    assert_eq!(blocks, expected, "each with its move");
 }
 
 #[test]
 fn axes_that_g92_g28_and_g53_name_are_theirs() {
     let read = read_clean("G0 X0 Y0 Z0 A5\nG92 A0\nG28 A0\nG53 G0 B0 Z0\nM2\n");
-    assert_eq!(words(&read), ["A5", "G0 X0 Y0 Z0", "G92 A0", "G28 A0", "G53 G0 Z0 B0", "M2"]);
+    assert_eq!(
+        words(&read),
+        ["A5", "G0 X0 Y0 Z0", "G92 A0", "G28 A0", "G53 G0 Z0 B0", "M2"],
+        "from where they are known"
+    );
     let text = "G91 G0 A10\n";
     assert_eq!(codes(text, Dialect::Auto), ["unknown-start"], "from where is not known");
 }
@@ -97,7 +105,11 @@ fn threads_are_passed_on_with_their_lead() {
         "M2",
     ];
     let (blocks, found) = written(program, Target::LinuxCnc);
-    assert_eq!((blocks.as_slice(), found.len()), (expected.map(String::from).as_slice(), 0));
+    assert_eq!(
+        (blocks.as_slice(), found.len()),
+        (expected.map(String::from).as_slice(), 0),
+        "the thread as it is"
+    );
     let path = path_of(program, Profile::G41);
     let feeds: Vec<Option<f64>> = path.moves.iter().map(|m| m.feed.map(|f| f * 60.0)).collect();
     let thread = [None, Some(450.0), None, Some(300.0), Some(300.0), None, None];
@@ -173,7 +185,11 @@ fn after_a_contour_without_a_lead_out_a_probe_starts_beside_it() {
 fn g60_is_a_rapid_move_of_its_block() {
     let text = "G1 X5 F100\nG60 X10\nX20\n";
     let found = read(text);
-    assert_eq!(moves(&found).iter().map(|m| m.rapid).collect::<Vec<_>>(), [false, true, false]);
+    assert_eq!(
+        moves(&found).iter().map(|m| m.rapid).collect::<Vec<_>>(),
+        [false, true, false],
+        "the overrun is a move of its own"
+    );
     assert_eq!(codes(text, Dialect::Fanuc), ["noted"], "the overrun is not made");
 }
 
@@ -188,9 +204,13 @@ fn polar_interpolation_is_left_out_as_a_whole() {
 fn g66_calls_its_macro_after_each_block_that_moves() {
     let text = "%\nO1\nG66 P9100 A5 L2\nG0 X10\nM8\nX20\nG67\nX30\nM30\n\
                 O9100\nG91 X#1\nG90\nM99\n%\n";
-    assert_eq!(xs(text, Dialect::Auto), [10.0, 15.0, 20.0, 25.0, 30.0]);
+    assert_eq!(xs(text, Dialect::Auto), [10.0, 15.0, 20.0, 25.0, 30.0], "called after each move");
     let missing = "%\nO1\nG66 P77\nG0 X10\nX20\nG67\nM30\n%\n";
-    assert_eq!(codes(missing, Dialect::Auto), ["missing-subprogram", "missing-subprogram"]);
+    assert_eq!(
+        codes(missing, Dialect::Auto),
+        ["missing-subprogram", "missing-subprogram"],
+        "told at each call"
+    );
 }
 
 #[test]
@@ -208,7 +228,7 @@ fn reference_points_are_reached_where_origins_are_known() {
         [-10.0, -20.0, 7.0],
         [-10.0, -20.0, -30.0],
     ];
-    assert_eq!(places(&path), expected);
+    assert_eq!(places(&path), expected, "by way of a point to the zero");
     assert!(path.moves.iter().all(|m| m.rapid), "all are traverses");
     let said: Vec<&str> = path.diagnostics.iter().map(|found| found.code).collect();
     assert_eq!(said, ["assumed-origins"], "once");
@@ -234,8 +254,8 @@ fn reference_points_stay_unknown_where_something_else_sets_origins() {
 
 #[test]
 fn dwells_of_fanuc_count_milliseconds_unless_they_have_a_point() {
-    assert_eq!(words(&read_as_fanuc("G4 P1500\n")), ["G4 P1.5"]);
-    assert_eq!(words(&read_as_fanuc("G4 X1.5\n")), ["G4 P1.5"]);
+    assert_eq!(words(&read_as_fanuc("G4 P1500\n")), ["G4 P1.5"], "a thousandth of a second");
+    assert_eq!(words(&read_as_fanuc("G4 X1.5\n")), ["G4 P1.5"], "seconds");
     for text in ["G4 P1.5\n", "G4 P2.\n"] {
         let seconds = if text.contains('5') { "G4 P1.5" } else { "G4 P2" };
         assert_eq!(words(&read_as_fanuc(text)), [seconds], "{text}");
