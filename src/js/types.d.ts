@@ -16,6 +16,7 @@ export {
   type ContourRecords,
   type FlattenedContours,
   flatten,
+  type InvoluteSegment,
   type LineSegment,
   type Point,
   type Polylines,
@@ -53,6 +54,7 @@ export {
 export {
   type ArcMove,
   type CubicMove,
+  type InvoluteMove,
   type LineMove,
   type Move,
   type MoveBase,
