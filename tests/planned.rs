@@ -87,3 +87,32 @@ fn a_motion_of_too_many_samples_is_refused() {
         assert_eq!(refused.name, "period", "{text}");
     }
 }
+
+#[test]
+fn programs_in_time_keep_to_their_limits() {
+    // Feeds that differ at corners, long even stretches, rapids and arcs beside each other.
+    for (name, text) in [
+        ("two_tools", include_str!("programs/two_tools.ngc")),
+        ("coolant", include_str!("programs/coolant.ngc")),
+        ("keyhole", include_str!("programs/keyhole.ngc")),
+        ("inch_letter", include_str!("programs/inch_letter.ngc")),
+    ] {
+        let read = interpret(&Program::parse(text, Dialect::Auto), Rules::default());
+        let path = compensate_program(&read, &Tools::all(2.0), &Options::default());
+        let limits = Limits::default();
+        let motion = plan_path(&path, &limits).expect("the limits are right");
+        let found = motion.violations(&path.moves, &limits);
+        for (what, peak) in [
+            ("velocity", found.velocity),
+            ("acceleration", found.acceleration),
+            ("jerk", found.jerk),
+            ("change of jerk", found.jerk_change),
+            ("chord error", found.chord_error),
+        ] {
+            assert!(peak.value <= peak.limit, "{name}: {what} {peak:?}");
+        }
+        // The deviation is told to what its own search makes of it.
+        assert!(found.deviation.value <= 1.0005 * limits.corner_deviation, "{name}: {found:?}");
+        assert!(found.end < 1e-9, "{name}: {found:?}");
+    }
+}

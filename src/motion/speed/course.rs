@@ -109,6 +109,11 @@ impl Course {
         }
     }
 
+    /// The arc length at which a piece starts [mm].
+    pub(super) fn start(&self, at: usize) -> f64 {
+        self.from[at]
+    }
+
     /// The frame at `s` [mm], looked for from piece `at` on.
     pub(in crate::motion) fn frame(&self, s: f64, at: &mut usize) -> Frame {
         self.find(s, at);

@@ -13,7 +13,7 @@ use crate::motion::Limits;
 const SHARE: f64 = 0.9985;
 
 /// What a peak may exceed the places by where a law is looked at, as a factor on time.
-const SURE: f64 = 1.0003;
+const SURE: f64 = 1.0004;
 
 /// How often what is broken between knots is made stricter there.
 const REPAIRS: usize = 4;

@@ -8,10 +8,13 @@ use super::retime::Bounds;
 use crate::motion::Limits;
 
 /// Places per phase.
-const PLACES: usize = 5;
+const PLACES: usize = 9;
 
 /// Part of the change of jerk in a period that is left to what lies between the places.
 const BETWEEN: f64 = 0.94;
+
+/// Halvings of a step that find the border of two pieces.
+const HALVINGS: u32 = 12;
 
 /// What was found.
 #[derive(Debug, Clone)]
@@ -34,8 +37,7 @@ pub(super) fn verify(course: &Course, limits: &Limits, bounds: &Bounds, law: &[P
     let mut start = 0.0;
     for phase in law {
         let mut worst = [0.0_f64; 3];
-        for place in 0..PLACES {
-            let time = phase.duration * place as f64 / PLACES as f64;
+        for time in times(course, phase, at) {
             let [s, v, a, j] = phase.at(time);
             let frame = course.frame(s, &mut at);
             let acceleration = frame.tangent * a + frame.curvature * (v * v);
@@ -82,4 +84,27 @@ pub(super) fn verify(course: &Course, limits: &Limits, bounds: &Bounds, law: &[P
     }
     excess.factor = if broken { f64::INFINITY } else { factor };
     excess
+}
+
+/// Where a phase is looked at: at even steps, and where it comes to other pieces, as jerk has a kink
+/// there.
+fn times(course: &Course, phase: &Phase, mut at: usize) -> Vec<f64> {
+    let mut times = Vec::with_capacity(PLACES + 1);
+    course.find(phase.at(0.0)[0], &mut at);
+    for place in 0..PLACES {
+        let step = phase.duration / PLACES as f64;
+        let time = step * place as f64;
+        times.push(time);
+        let before = at;
+        course.find(phase.at(time + step)[0], &mut at);
+        if at > before {
+            let (border, mut from, mut to) = (course.start(at), time, time + step);
+            for _ in 0..HALVINGS {
+                let middle = 0.5 * (from + to);
+                if phase.at(middle)[0] < border { from = middle } else { to = middle }
+            }
+            times.push(to);
+        }
+    }
+    times
 }
