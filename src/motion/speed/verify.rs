@@ -11,7 +11,7 @@ use crate::motion::Limits;
 const PLACES: usize = 9;
 
 /// Part of the change of jerk in a period that is left to what lies between the places.
-const BETWEEN: f64 = 0.94;
+const BETWEEN: f64 = 0.95;
 
 /// Halvings of a step that find the border of two pieces.
 const HALVINGS: u32 = 12;
