@@ -62,26 +62,31 @@ function median(values: number[]): number {
   return [...values].sort((a, b) => a - b)[Math.floor(values.length / 2)] as number;
 }
 
-test("dragging a type point moves tool path and programs within two frames", async ({ page }) => {
-  const g41 = new G41Page(page);
-  await g41.open();
-  const place = await g41.locator();
-  const latencies = await watchFrames(page, place(TYPE_POINT));
-  const [from, to] = [place(TYPE_POINT), place(TARGET)];
-  await page.mouse.move(...from);
-  await page.mouse.down();
-  for (let i = 1; i <= 12; i += 1) {
-    const t = i / 12;
-    await page.mouse.move(from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t);
-    await g41.frames(4);
-  }
-  await page.mouse.up();
-  const seen = await latencies();
+test.describe("how soon", () => {
+  // When a frame comes depends on what else the machine does; what is too slow is so each time.
+  test.describe.configure({ retries: 2 });
 
-  expect(seen.length).toBeGreaterThan(5);
-  for (const [i, what] of ["program", "compensated program", "picture"].entries()) {
-    expect(median(seen.map((each) => each[i] as number)), what).toBeLessThanOrEqual(2);
-  }
+  test("dragging a type point moves tool path and programs within two frames", async ({ page }) => {
+    const g41 = new G41Page(page);
+    await g41.open();
+    const place = await g41.locator();
+    const latencies = await watchFrames(page, place(TYPE_POINT));
+    const [from, to] = [place(TYPE_POINT), place(TARGET)];
+    await page.mouse.move(...from);
+    await page.mouse.down();
+    for (let i = 1; i <= 12; i += 1) {
+      const t = i / 12;
+      await page.mouse.move(from[0] + (to[0] - from[0]) * t, from[1] + (to[1] - from[1]) * t);
+      await g41.frames(4);
+    }
+    await page.mouse.up();
+    const seen = await latencies();
+
+    expect(seen.length).toBeGreaterThan(5);
+    for (const [i, what] of ["program", "compensated program", "picture"].entries()) {
+      expect(median(seen.map((each) => each[i] as number)), what).toBeLessThanOrEqual(2);
+    }
+  });
 });
 
 test("a drag by mouse is one step back and forth, to the same path", async ({ page }) => {
