@@ -131,6 +131,14 @@ fn a_file_without_a_place_or_a_sentence_or_an_end_is_found() {
     assert_eq!(check("contour/tool.rs", &tested), Vec::<String>::new(), "the tests do not count");
 }
 
+#[test]
+fn what_the_shipped_wasm_cannot_print_is_found() {
+    let text = "//! A file.\nfn f(x: f64) -> String { format!(\"{x:?}\") }\n";
+    assert_eq!(check("contour/tool.rs", text).len(), 1, "{text}");
+    let text = "//! A file.\nfn f(x: f64) { debug_assert!(x > 0.0, \"{x:?}\") }\n";
+    assert_eq!(check("contour/tool.rs", text), Vec::<String>::new(), "no release has it");
+}
+
 /// What is wrong with a file, given by its path below `src` and its text.
 fn check(path: &str, text: &str) -> Vec<String> {
     let mut faults = Vec::new();
@@ -140,6 +148,12 @@ fn check(path: &str, text: &str) -> Vec<String> {
     let lines = text.lines().take_while(|line| !line.starts_with("#[cfg(test)]")).count();
     if lines > MAX_LINES {
         faults.push(format!("{path}: {lines} lines before its tests, at most {MAX_LINES}"));
+    }
+    let before_tests = text.lines().take(lines);
+    for line in before_tests.filter(|line| !line.trim_start().starts_with("//")) {
+        if [":?}", ":x}", ":X}"].iter().any(|form| line.contains(form)) && !line.contains("assert") {
+            faults.push(format!("{path}: scripts/trim.mjs takes out what prints `{}`", line.trim()));
+        }
     }
     let module = module_path(path);
     let Some(floor) = module.first() else {
