@@ -151,8 +151,10 @@ fn check(path: &str, text: &str) -> Vec<String> {
     }
     let before_tests = text.lines().take(lines);
     for line in before_tests.filter(|line| !line.trim_start().starts_with("//")) {
-        if [":?}", ":x}", ":X}"].iter().any(|form| line.contains(form)) && !line.contains("assert") {
-            faults.push(format!("{path}: scripts/trim.mjs takes out what prints `{}`", line.trim()));
+        if [":?}", ":x}", ":X}"].iter().any(|form| line.contains(form)) && !line.contains("assert")
+        {
+            faults
+                .push(format!("{path}: scripts/trim.mjs takes out what prints `{}`", line.trim()));
         }
     }
     let module = module_path(path);

@@ -9,6 +9,8 @@ mod interpolation;
 mod involutes;
 mod lengths;
 mod limits;
+mod optima;
+mod optimum;
 mod shapes;
 mod times;
 mod tracks;
