@@ -257,23 +257,9 @@ impl Planner {
 ///
 /// There `v³κ² ≤ J/8` and `3 v a κ ≤ J/2`, and with `j ≤ J/2` the jerk is below `0.81 J`.
 fn even_rates(even: &Course, limits: &Limits) -> Rates {
-    let mut rates = Rates {
-        velocity: 0.999 * even.cap(),
-        acceleration: limits.acceleration,
-        jerk: limits.jerk,
-        snap: limits.snap(),
-    };
     let frame = even.frame(0.0, &mut 0);
-    if let Some(axes) = &limits.axes {
-        for axis in 0..3 {
-            let share = frame.tangent[axis].abs().max(1.0e-9);
-            rates.acceleration = rates.acceleration.min(axes.acceleration[axis] / share);
-            rates.jerk = rates.jerk.min(axes.jerk[axis] / share);
-        }
-    }
+    let mut rates = Rates::along(frame.tangent, 0.999 * even.cap(), limits);
     let turning = 3.0 * rates.velocity * frame.curvature.length();
-    rates.acceleration = 0.5 * rates.acceleration.min(rates.jerk / turning.max(1.0e-9));
-    rates.jerk *= 0.5;
-    rates.snap *= 0.5;
-    rates
+    rates.acceleration = rates.acceleration.min(rates.jerk / turning.max(1.0e-9));
+    Rates { velocity: rates.velocity, ..rates.by(0.5) }
 }

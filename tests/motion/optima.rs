@@ -177,7 +177,8 @@ fn corners_beside_optima_of_both_orders() {
         let planned = [case.planned(&case.free()), case.planned(&case.limits)];
         println!("{}", case.name);
         for (order, planned) in [3, 4].into_iter().zip(planned) {
-            let (mut row, mut best) = (String::new(), f64::INFINITY);
+            let mut best = f64::INFINITY;
+            print!("  order {order}:");
             for intervals in [100, 200, 400] {
                 let laws =
                     if order == 3 { case.third(intervals) } else { case.fourth(intervals, 0.8) };
@@ -186,10 +187,10 @@ fn corners_beside_optima_of_both_orders() {
                 // What is broken between the places of the grid, as a factor on time.
                 let excess = law.excess(&path, &machine, 21);
                 best = best.min(law.duration() * excess);
-                row += &format!(" {:.2} (× {excess:.3})", 1e3 * law.duration());
+                print!(" {:.2} (× {excess:.3})", 1e3 * law.duration());
             }
             let (share, planned) = (100.0 * (planned / best - 1.0), 1e3 * planned);
-            println!("  order {order}:{row} ms; planned {planned:.2}, {share:+.1} %");
+            println!(" ms; planned {planned:.2}, {share:+.1} %");
             assert!(share < 5.0, "{}, order {order}: {share} % over {best} s", case.name);
         }
     }

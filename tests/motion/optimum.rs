@@ -230,8 +230,8 @@ impl Law {
     fn rates(&self, path: &Path, k: usize, basis: &[[f64; 5]; 4]) -> [Limit; 3] {
         let mut d = [0.0; 4];
         for (order, row) in basis.iter().enumerate() {
-            for i in 0..=self.degree {
-                d[order] += row[i] * self.coefficients[k + i];
+            for (value, coefficient) in row.iter().zip(&self.coefficients[k..=k + self.degree]) {
+                d[order] += value * coefficient;
             }
         }
         let (frame, fourth) = path.at(d[0]);
@@ -241,8 +241,8 @@ impl Law {
         rates[0].value = first * v;
         rates[1].value = first * a + second * (v * v);
         rates[2].value = first * j + second * (3.0 * v * a) + third * (v * v * v);
-        for i in 0..=self.degree {
-            let [s, dv, da, dj] = [0, 1, 2, 3].map(|order| basis[order][i]);
+        for i in 0..5 {
+            let [s, dv, da, dj] = basis.map(|row| row[i]);
             rates[0].slopes[i] = second * (v * s) + first * dv;
             rates[1].slopes[i] =
                 (second * a + third * (v * v)) * s + second * (2.0 * v * dv) + first * da;

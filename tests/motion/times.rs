@@ -6,7 +6,7 @@
 //! trapezoids of acceleration whose edges are smooth. All keep the limit of jerk.
 
 use g41::contour::Move;
-use g41::motion::{CornerCurve, Limits, Mode, plan};
+use g41::motion::{AxisLimits, CornerCurve, Limits, Mode, plan};
 use glam::{DVec2, DVec3};
 
 use crate::shapes;
@@ -38,6 +38,35 @@ fn cycle_times_are_at_least_a_tenth_better_on_random_paths_and_no_worse_on_any()
             "{name}: {ours} s, with full stops and steps of jerk {stops} s"
         );
     }
+}
+
+#[test]
+fn a_line_takes_the_shortest_time_that_there_is() {
+    // Ruckig's durations for the same limits: jerk for A/J brings the acceleration, which lasts until
+    // the speed is there, or for half the way.
+    let limits = Limits::default();
+    let Limits { velocity, acceleration, jerk, .. } = limits;
+    let rise = acceleration / jerk;
+    for (length, closed) in [
+        (1e-3, 4.0 * (1e-3 / (2.0 * jerk)).cbrt()),
+        (1.0, 4.0 * (1.0 / (2.0 * jerk)).cbrt()),
+        (20.0, 0.243_960_780_543_711),
+        (100.0, 100.0 / velocity + velocity / acceleration + rise),
+    ] {
+        let moves = shapes::polyline(&[DVec3::ZERO, DVec3::new(0.6, 0.0, 0.8) * length]);
+        let stepping = Limits { snap: Some(1e8 * jerk), ..limits };
+        let found = time(&moves, &stepping);
+        assert!((found / closed - 1.0).abs() < 1e-4, "{length} mm: {found} s, {closed} s");
+        let bounded = time(&moves, &limits);
+        let most = closed + 4.0 * jerk / limits.snap();
+        assert!(bounded > closed && bounded < most, "{length} mm: {bounded} s, {closed} s");
+    }
+    // Each axis by its own limits: the one that needs longest, here x.
+    let moves = shapes::polyline(&[DVec3::ZERO, DVec3::new(30.0, 20.0, 5.0)]);
+    let axes = AxisLimits { velocity: [50.0; 3], acceleration: [400.0; 3], jerk: [8e3; 3] };
+    let found = time(&moves, &Limits { axes: Some(axes), snap: Some(1e8 * jerk), ..limits });
+    let closed = 30.0 / 50.0 + 50.0 / 400.0 + 400.0 / 8e3;
+    assert!((found / closed - 1.0).abs() < 1e-4, "by axes: {found} s, {closed} s");
 }
 
 /// Corners that turn to and fro by an angle [rad], a length [mm] apart.

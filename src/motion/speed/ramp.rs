@@ -1,7 +1,13 @@
 //! Ramps of velocity where a path has little to say: acceleration and jerk zero at both ends, snap bounded.
 
+use glam::DVec3;
+
 use super::law::{Phase, State};
 use crate::geometry::nth_root;
+use crate::motion::Limits;
+
+/// Halvings that find the speed of a law too short for the largest.
+const HALVINGS: u32 = 60;
 
 /// Bounds of the rates along a path.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -14,6 +20,31 @@ pub(in crate::motion) struct Rates {
     pub(in crate::motion) jerk: f64,
     /// Of the snap [mm/s⁴].
     pub(in crate::motion) snap: f64,
+}
+
+impl Rates {
+    /// Those along a line in the direction of a unit tangent, at most at the speed `cap` [mm/s].
+    pub(in crate::motion) fn along(tangent: DVec3, cap: f64, limits: &Limits) -> Self {
+        let (mut acceleration, mut jerk) = (limits.acceleration, limits.jerk);
+        if let Some(axes) = &limits.axes {
+            for axis in 0..3 {
+                let share = tangent[axis].abs().max(1.0e-9);
+                acceleration = acceleration.min(axes.acceleration[axis] / share);
+                jerk = jerk.min(axes.jerk[axis] / share);
+            }
+        }
+        Self { velocity: cap, acceleration, jerk, snap: limits.snap() }
+    }
+
+    /// All of them by a factor.
+    pub(in crate::motion) fn by(self, factor: f64) -> Self {
+        Self {
+            velocity: self.velocity * factor,
+            acceleration: self.acceleration * factor,
+            jerk: self.jerk * factor,
+            snap: self.snap * factor,
+        }
+    }
 }
 
 /// The times of a ramp: jerk rises for `rise`, stays for `stay` and falls; acceleration then stays
@@ -86,7 +117,7 @@ fn add_ramp(law: &mut Vec<Phase>, s: f64, from: f64, to: f64, rates: &Rates) -> 
 }
 
 /// The law over a length [mm] between two speeds: ramp, cruise, ramp. It cruises at the speed of the
-/// rates, or at the larger of the two where there is no room for more.
+/// rates, or as fast as there is room for.
 pub(in crate::motion) fn cruise(
     s: f64,
     length: f64,
@@ -97,14 +128,20 @@ pub(in crate::motion) fn cruise(
         0.5 * ((from + top) * ramp_time(top - from, rates)
             + (top + to) * ramp_time(top - to, rates))
     };
-    let mut top = rates.velocity.max(from).max(to);
+    let mut low = from.max(to);
+    let mut top = rates.velocity.max(low);
     if ramps(top) > length {
-        top = from.max(to);
+        // The ways of ramps grow with their speed: halved until nothing is left between.
+        for _ in 0..HALVINGS {
+            let middle = f64::midpoint(low, top);
+            if ramps(middle) > length { top = middle } else { low = middle }
+        }
+        top = low;
     }
     let mut law = Vec::new();
     let on = add_ramp(&mut law, s, from, top, rates);
     let left = (length - ramps(top)).max(0.0);
-    law.push(Phase::of_snap(left / top, [on, top, 0.0, 0.0], 0.0));
+    law.push(Phase::of_snap(left / top.max(f64::MIN_POSITIVE), [on, top, 0.0, 0.0], 0.0));
     add_ramp(&mut law, on + left, top, to, rates);
     law
 }
@@ -116,8 +153,16 @@ mod tests {
     #[test]
     fn a_cruise_ends_where_and_as_it_is_to_and_keeps_its_rates() {
         let rates = Rates { velocity: 50.0, acceleration: 900.0, jerk: 3.0e4, snap: 5.0e6 };
-        for speeds in [[0.0, 0.0], [10.0, 49.0], [49.5, 3.0], [50.0, 50.0]] {
-            let law = cruise(2.0, 40.0, speeds, &rates);
+        for (length, speeds) in [
+            (40.0, [0.0, 0.0]),
+            (40.0, [10.0, 49.0]),
+            (40.0, [49.5, 3.0]),
+            (40.0, [50.0, 50.0]),
+            (0.3, [0.0, 0.0]),
+            (1e-6, [0.0, 0.0]),
+            (1.5, [10.0, 3.0]),
+        ] {
+            let law = cruise(2.0, length, speeds, &rates);
             let mut last = [2.0, speeds[0], 0.0, 0.0];
             for phase in &law {
                 for (found, meant) in phase.at(0.0).into_iter().zip(last) {
@@ -127,7 +172,7 @@ mod tests {
                 assert!(last[1] < 50.0 + 1e-9 && last[2].abs() < 900.0 + 1e-6, "{speeds:?}");
                 assert!(last[3].abs() < 3.0e4 + 1e-6, "{speeds:?}: jerk {}", last[3]);
             }
-            assert!((last[0] - 42.0).abs() < 1e-9, "{speeds:?} ends at {}", last[0]);
+            assert!((last[0] - 2.0 - length).abs() < 1e-9, "{speeds:?} ends at {}", last[0]);
             assert!((last[1] - speeds[1]).abs() < 1e-9, "{speeds:?} ends at {}", last[1]);
         }
     }

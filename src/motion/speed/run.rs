@@ -4,13 +4,20 @@ use glam::DVec3;
 
 use super::course::{Course, across};
 use super::law::{Phase, State};
+use super::ramp::{Rates, cruise};
 use super::reference::reference;
 use super::retime::{Bounds, Knot, Retiming};
 use super::verify::{Excess, verify};
-use crate::motion::Limits;
+use crate::motion::{Limits, Piece};
 
 /// What is left to rounding, and between knots.
 const SHARE: f64 = 0.9985;
+
+/// What is left to rounding along a line.
+const ROUNDED: f64 = 1.0 - 1.0e-6;
+
+/// What a run that begins or ends on the move does so at, in parts of its cap.
+const EVEN: f64 = 0.999;
 
 /// What a peak may exceed the places by where a law is looked at, as a factor on time.
 const SURE: f64 = 1.0004;
@@ -26,6 +33,9 @@ const RESOLUTION: f64 = 0.3;
 
 /// The law of a run within the limits.
 pub(in crate::motion) fn law(course: &Course, limits: &Limits) -> Vec<Phase> {
+    if let Some(law) = along_line(course, limits) {
+        return law;
+    }
     let bounds = bounds(limits);
     let step = (RESOLUTION * limits.jerk / limits.snap()).max(0.5 * limits.period);
     let (states, coarse) = reference(course, limits, 2.0 * step);
@@ -39,6 +49,19 @@ pub(in crate::motion) fn law(course: &Course, limits: &Limits) -> Vec<Phase> {
         }
     }
     law
+}
+
+/// The law of a run that is a single line: ramps are the quickest that there are.
+fn along_line(course: &Course, limits: &Limits) -> Option<Vec<Phase>> {
+    let mut pieces = course.pieces();
+    let (placed, from, cap) = pieces.next()?;
+    let Piece::Straight(line) = &placed.piece else { return None };
+    if pieces.next().is_some() {
+        return None;
+    }
+    let rates = Rates::along(line.tangent, cap, limits).by(ROUNDED);
+    let ends = course.moving.map(|moves| if moves { EVEN * rates.velocity } else { 0.0 });
+    Some(cruise(from, course.length, ends, &rates))
 }
 
 fn bounds(limits: &Limits) -> Bounds {
