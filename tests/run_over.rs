@@ -135,3 +135,19 @@ fn a_control_with_one_block_of_look_ahead_warns_of_no_more() {
         assert_eq!(path.diagnostics, [], "{text}");
     }
 }
+
+#[test]
+fn a_way_in_beside_the_last_wall_takes_nothing_of_it() {
+    // In inches, rounded: the lead-out's arc is a hair off the tangent. The lead-in is nearer to where
+    // the last wall is cut than the tool's radius, and air.
+    let text = "G20 G90\nG0 X-.80709 Y-.01969\nG1 G41 D1 Y.09843 F20\nG3 X-.98425 Y.27559 I-.17716\n\
+        G1 X-1.5748\nY1.85039\nX0\nY.27559\nX-.98425\nG3 X-1.16142 Y.09843 J-.17716\nG40 G1 Y-.01969\n";
+    let points: Vec<DVec2> = (0..=40).map(|k| dvec2(-f64::from(k), 7.0)).collect();
+    for radius in [1.0, 2.0, 3.0, 4.0] {
+        let path = path_of(text, radius, GougePolicy::Avoid);
+        let farthest = farthest_from_wall(&path, &points);
+        assert!(farthest <= radius + 2e-3, "{farthest} mm by {radius}");
+        let gap = |pair: &[g41::contour::Move]| pair[0].curve.end().distance(pair[1].curve.start());
+        assert!(path.moves.windows(2).all(|pair| gap(pair) < 1e-6), "one piece by {radius}");
+    }
+}

@@ -189,17 +189,8 @@ fn split(curve: &Curve, t: f64) -> Option<[Curve; 2]> {
 /// Where two segments meet: the parameters on both, by crossing or by touching at an end.
 fn meetings(segments: &[Segment], first: usize, last: usize) -> Vec<[f64; 2]> {
     let (a, b) = (&segments[first].curve, &segments[last].curve);
-    let crossings = match (a, b) {
-        (Curve::Line(a), Curve::Line(b)) => line_line(a, b).points(),
-        (Curve::Line(a), Curve::Arc(b)) => line_arc(a, b).points(),
-        (Curve::Arc(a), Curve::Line(b)) => line_arc(b, a).exchanged().points(),
-        (Curve::Arc(a), Curve::Arc(b)) => arc_arc(a, b).points(),
-        _ => Vec::new(),
-    };
+    // Ends that meet come first: arcs that go on in each other may cross anywhere near.
     let mut places: Vec<[f64; 2]> = Vec::new();
-    for crossing in crossings {
-        places.push([crossing.t, crossing.u]);
-    }
     for t in [1.0, 0.0] {
         let nearest = b.nearest(a.point(t));
         if nearest.distance <= TOUCH {
@@ -211,6 +202,16 @@ fn meetings(segments: &[Segment], first: usize, last: usize) -> Vec<[f64; 2]> {
         if nearest.distance <= TOUCH {
             places.push([nearest.t, u]);
         }
+    }
+    let crossings = match (a, b) {
+        (Curve::Line(a), Curve::Line(b)) => line_line(a, b).points(),
+        (Curve::Line(a), Curve::Arc(b)) => line_arc(a, b).points(),
+        (Curve::Arc(a), Curve::Line(b)) => line_arc(b, a).exchanged().points(),
+        (Curve::Arc(a), Curve::Arc(b)) => arc_arc(a, b).points(),
+        _ => Vec::new(),
+    };
+    for crossing in crossings {
+        places.push([crossing.t, crossing.u]);
     }
     for place in &mut places {
         // Nothing shorter than what counts as a touch is cut off.

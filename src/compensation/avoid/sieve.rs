@@ -31,7 +31,7 @@ pub(super) struct Clearance<'a> {
     tree: &'a OrderTree,
     /// Nearer than this is too near [mm].
     least: f64,
-    /// The unit that was too near last.
+    /// The unit that was too near last; none at first.
     hint: usize,
     /// The stretch of units that the last place's unit is surely clear of, and that unit.
     tame: (usize, [usize; 2]),
@@ -42,7 +42,8 @@ pub(super) struct Clearance<'a> {
 impl<'a> Clearance<'a> {
     pub(super) fn new(work: &'a Workpiece<'a>, tree: &'a OrderTree, least: f64) -> Self {
         let (tame, beside) = ((usize::MAX, [0, 0]), (usize::MAX, Vec::new()));
-        Self { work, tree, least, hint: 0, tame, beside }
+        // The first unit may run in, and be no wall.
+        Self { work, tree, least, hint: usize::MAX, tame, beside }
     }
 
     /// The tame stretch around a unit.

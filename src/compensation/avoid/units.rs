@@ -134,7 +134,7 @@ impl<'a> Workpiece<'a> {
 
     /// The unit's part of the contour; none for a break.
     pub(super) fn curve(&self, unit: usize) -> Option<MoveCurve> {
-        let Unit { kind, span, .. } = self.units[unit];
+        let Unit { kind, span, .. } = *self.units.get(unit)?;
         match kind {
             Kind::Segment => Some(match &self.segment(unit).curve {
                 Curve::Line(line) => MoveCurve::Line(*line),
