@@ -365,3 +365,33 @@ fn heidenhain_gets_cubics_about_their_ends() {
     let expected = ["2 SPL X+30 Y+0 ~", "K3X+0 K2X+0 K1X-3E+1 ~", "K3Y+0 K2Y-6E+1 K1Y+6E+1 F100"];
     assert_eq!(lines(&text)[2..5], expected, "{text}");
 }
+
+#[test]
+fn axes_that_a_target_lacks_go_nowhere_with_g28_and_only_their_moves_are_errors() {
+    let text = "G0 X1 Y2 A0\nG91 G28 X0 Y0 A0\nG28 U0\nG90 G0 X1 Y2 Z3\nA90\nM30\n";
+    let written = write(text, Target::Grbl);
+    let found: Vec<_> = written.diagnostics.iter().map(|d| (d.code, d.severity)).collect();
+    let (warning, error) = (("left-out", Severity::Warning), ("left-out", Severity::Error));
+    assert_eq!(found, [warning, warning, error], "A0, U0 and A90: {written:?}");
+    assert!(written.text.contains("G91 G28 X0 Y0\n"), "{}", written.text);
+    assert!(!written.text.contains("G28\n"), "all axes would move: {}", written.text);
+    let kept = write(text, Target::LinuxCnc).text;
+    assert!(kept.contains("G28 X0 Y0 A0") && kept.contains("A90"), "{kept}");
+}
+
+#[test]
+fn the_fastest_speed_is_said_to_those_alone_who_know_it_by_g92() {
+    let text = "G92 S2500\nG0 X1 Y2 Z3\n";
+    let written = write(text, Target::Grbl);
+    assert!(!written.text.contains("G92"), "{}", written.text);
+    assert_eq!(written.diagnostics.len(), 1, "it is told: {written:?}");
+    assert!(write(text, Target::Fanuc0M).text.contains("G92 S2500"), "FANUC knows it");
+}
+
+#[test]
+fn after_a_tool_change_places_are_stated_as_they_were() {
+    let text = "G0 X1 Y2 Z50\nT2 M6\nG0 X1 Y2\nZ5\nX1 Y2\nG1 Z-1 F100\nM30\n";
+    let written = write(text, Target::Grbl).text;
+    let expected = "M0\nX1 Y2\nZ5\nG1 Z-1";
+    assert!(written.contains(expected), "the operator may have moved the tool: {written}");
+}

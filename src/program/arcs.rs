@@ -93,7 +93,10 @@ impl Interpreter {
         let centers = CENTER.map(|letter| words.take(letter));
         let radius = words.take('R');
         let (a, b) = (centers[first], centers[second]);
-        if let Some(word) = centers[normal] {
+        // Some programs state all three for every arc, the needless one as 0.
+        if let Some(word) = centers[normal]
+            && (word.value != 0.0 || self.rules.is_strict)
+        {
             self.error(
                 "contradictory-words",
                 format!("{} belongs to another plane", word.letter),

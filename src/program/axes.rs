@@ -156,8 +156,9 @@ impl Interpreter {
 
     /// The tool is at `to` [mm], and the program has said so for these axes.
     pub(super) fn arrive(&mut self, axes: &Axes, to: DVec3) {
-        for (stated, word) in self.modal.stated.iter_mut().zip(axes.words) {
-            *stated |= word.is_some();
+        for (i, word) in axes.words.into_iter().enumerate() {
+            self.modal.stated[i] |= word.is_some();
+            self.modal.restate[i] &= word.is_none();
         }
         self.modal.position = to;
     }
@@ -173,7 +174,8 @@ impl Interpreter {
     ) {
         let (mut text, mut states) = (String::new(), [false; 3]);
         for i in 0..3 {
-            if axes.words[i].is_none() || self.modal.stated[i] || self.modal.position[i] != to[i] {
+            let known = self.modal.stated[i] && !self.modal.restate[i];
+            if axes.words[i].is_none() || known || self.modal.position[i] != to[i] {
                 continue;
             }
             states[i] = true;

@@ -52,8 +52,12 @@ impl Interpreter {
             (1390, ControlWords::Isg) => wishes.modal.lead = LeadWish::Round,
             (4500, ControlWords::Sinumerik) => wishes.modal.corner = CornerWish::Conic(wishes.disc),
             (4510, ControlWords::Sinumerik) => wishes.modal.corner = CornerWish::Intersection,
-            (700 | 7000, ControlWords::Sinumerik) => self.modal.inches = true,
-            (710 | 7100, ControlWords::Sinumerik) => self.modal.inches = false,
+            (7000, ControlWords::Sinumerik) => self.modal.inches = true,
+            (7100, ControlWords::Sinumerik) => self.modal.inches = false,
+            // Older controls have the units of RS-274-D. With more words they are cycles of lathes.
+            (700 | 710, _) if !self.rules.is_strict && !words.has_any("PQUWRDI") => {
+                self.modal.inches = number == 700;
+            }
             (4600, ControlWords::Sinumerik) => {}
             (4610 | 4620, ControlWords::Sinumerik) => {
                 self.not_supported(

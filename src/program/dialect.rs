@@ -88,7 +88,7 @@ fn sign(line: &str, percent: bool) -> Option<Dialect> {
         Some(rest) => rest.trim_start_matches(|c: char| c.is_ascii_digit()),
         None => line,
     };
-    if let Some(rest) = unnumbered.strip_prefix('O') {
+    if let Some(rest) = unnumbered.strip_prefix(['O', ':']) {
         let after = rest.trim_start_matches(|c: char| c.is_ascii_digit());
         let number = after.len() < rest.len();
         if after.starts_with('<') || number && after.starts_with(|c: char| c.is_ascii_alphabetic())
@@ -124,6 +124,7 @@ mod tests {
             ("%\nG0 X0 (GOTO 5)\n; R1=5\nM30\n%\n", Dialect::Auto),
             ("O1234\nG0 X0\n", Dialect::Auto),
             ("%\nO1234 (LID)\nG0 X0\n", Dialect::Fanuc),
+            ("%\n:1234\nG0 X0\n", Dialect::Fanuc),
             ("#100=1\nN10 IF [#100 GT 5] GOTO 20\n", Dialect::Fanuc),
             ("while [#1 lt 5] do1\n", Dialect::Fanuc),
             ("G65 P9100 A1\n", Dialect::Fanuc),

@@ -30,6 +30,8 @@ pub(super) struct Feed {
     speed: Option<f64>,
     /// G96: S is the speed of the surface.
     surface_speed: bool,
+    /// Whether it was said that the speed is not known.
+    said: bool,
 }
 
 impl Feed {
@@ -40,6 +42,7 @@ impl Feed {
             time: None,
             speed: None,
             surface_speed: false,
+            said: false,
         }
     }
 
@@ -68,6 +71,7 @@ impl Feed {
     /// G96 and G97; tells whether that is a change.
     pub(super) fn set_surface_speed(&mut self, on: bool) -> bool {
         let changes = self.surface_speed != on;
+        self.said &= !changes;
         self.surface_speed = on;
         if changes {
             self.speed = None;
@@ -135,7 +139,7 @@ impl Interpreter {
                 (None, feed.time)
             }
             FeedMode::PerRevolution => {
-                if feed.speed.is_none() {
+                if feed.speed.is_none() && !std::mem::replace(&mut self.modal.feed.said, true) {
                     self.error(
                         "unknown-speed",
                         "feed per revolution (G95) at a speed that is not known",

@@ -217,7 +217,7 @@ impl GWord {
     /// Words of one group exclude each other; `None` for words that stand alone.
     pub(super) fn group(self) -> Option<u8> {
         match self {
-            Self::Motion(_) | Self::Once(_) | Self::SplineFamily | Self::EndOfCycle => Some(1),
+            Self::Motion(_) | Self::Once(_) | Self::SplineFamily => Some(1),
             Self::Plane(_) => Some(2),
             Self::Relative(_) => Some(3),
             Self::AbsoluteCenter(_) => Some(4),
@@ -230,6 +230,7 @@ impl GWord {
             Self::SurfaceSpeed(_) => Some(14),
             Self::Diameter(_) => Some(15),
             Self::Dwell
+            | Self::EndOfCycle
             | Self::Harmless
             | Self::PolarInterpolation(_)
             | Self::Act(_)

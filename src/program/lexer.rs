@@ -135,6 +135,10 @@ impl LineReader<'_> {
             }
             // LinuxCNC has the signs for polar coordinates.
             b'A'..=b'Z' | b'@' | b'^' => self.word(c),
+            // The number of a program, as O.
+            b':' if self.block.words.is_empty() && self.dialect != Dialect::Sinumerik => {
+                self.word(b'O');
+            }
             b'#' => self.assignment(),
             b'[' => {
                 let value = self.value();
@@ -159,6 +163,11 @@ impl LineReader<'_> {
             let known = matches!(c, '(' | ';' | '#' | '[' | '+' | '-' | '.' | '@' | '^');
             !(c.is_ascii_alphanumeric() || c.is_ascii_whitespace() || c == '\x0b' || known)
         });
+        if from == 0 && text.starts_with('$') {
+            self.cursor.skip_all();
+            let hint = "it is left out; give it to the controller by hand";
+            return self.warn("left-out", from, "no block, but an order to a controller", hint);
+        }
         // Spaces of other alphabets are spaces.
         if !text.chars().all(char::is_whitespace) {
             let message = format!("{} is no part of a program", quote(text));

@@ -60,6 +60,9 @@ pub(super) struct Modal {
     pub(super) position: DVec3,
     /// Which coordinates of the position the program has stated; the others are assumed.
     pub(super) stated: [bool; 3],
+    /// Of which coordinates it is not sure, since a tool change, that the machine is where the
+    /// program is; the next block that states one is written, even if it moves nothing.
+    pub(super) restate: [bool; 3],
     /// Where the other axes are, A B C [degrees] and U V W [mm], once the program has said so.
     pub(super) others: [Option<f64>; 6],
     /// G12.1: X is not what it says until G13.1.
@@ -90,6 +93,7 @@ impl Modal {
             radii: Vec::new(),
             position: DVec3::ZERO,
             stated: [false; 3],
+            restate: [false; 3],
             others: [None; 6],
             polar_interpolation: false,
         }
@@ -114,6 +118,7 @@ impl Modal {
     pub(super) fn change_tool(&mut self) {
         self.loaded = self.selected;
         self.radius_number = None;
+        self.restate = [true; 3];
     }
 
     /// The tool that the last M6 put into the spindle, 0 for none.

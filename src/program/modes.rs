@@ -106,7 +106,10 @@ impl Interpreter {
             GWord::PolarInterpolation(on) => self.polar_interpolation(block, word, on),
             GWord::SplineFamily => demands.family = Some((number, word.column)),
             GWord::EndOfCycle => {
-                modal.motion = None;
+                // Beside another motion word, as in a safe first line, that one counts.
+                if demands.motion.is_none() {
+                    modal.motion = None;
+                }
                 modal.cycle.end();
             }
             GWord::Dwell => demands.dwell = Some(word),

@@ -139,6 +139,14 @@ impl Outline {
                 Some(b'%') if !opened && !words => opened = true,
                 Some(b'%') => end = Some(at),
                 Some(_) => {
+                    if !words && is_klartext(Cursor::new(text, 0)) {
+                        let origin = Origin::Block { line, number: None, column: None };
+                        let hint = "have it written as G-code, ISO, by what has made it";
+                        let message = "the program is in Heidenhain's conversational language";
+                        report.error("not-supported", message, origin, hint);
+                        end = Some(self.first);
+                        break;
+                    }
                     words |= !is_comment(text);
                     if let Some(mark) = mark(cursor, at, line, self.dialect) {
                         self.marks.push(mark);
@@ -321,7 +329,7 @@ fn mark(mut cursor: Cursor, at: usize, line: u32, dialect: Dialect) -> Option<Ma
     let mut mark = Mark::plain(at, line, Step::Unknown);
     let fanuc = matches!(dialect, Dialect::Auto | Dialect::Fanuc);
     match cursor.peek()? {
-        b'O' => {
+        c if c == b'O' || c == b':' && fanuc => {
             cursor.skip();
             o_word(&mut cursor, &mut mark)?;
             mark.after = at + cursor.at();
@@ -437,6 +445,12 @@ fn plain(label: &str) -> impl Iterator<Item = u8> {
     let label = if digits { label.trim_start_matches('0') } else { label };
     let bytes = label.bytes().filter(|byte| !byte.is_ascii_whitespace());
     bytes.map(|byte| byte.to_ascii_lowercase())
+}
+
+/// Whether a line begins a program in Heidenhain's own language.
+fn is_klartext(mut cursor: Cursor) -> bool {
+    cursor.digits();
+    cursor.eat_all("BEGINPGM")
 }
 
 /// Whether a line consists of comments.

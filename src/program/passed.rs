@@ -88,7 +88,7 @@ impl Passing {
             let first = i;
             if matches!(letter, 'G' | 'M') {
                 let with_speed = match letter {
-                    'G' => matches!(tenths(value), 40 | 960),
+                    'G' => matches!(tenths(value), 40 | 500 | 920 | 960),
                     _ => matches!(tenths(value), 30 | 40),
                 };
                 while let Some(Token::Word(next, _)) = tokens.get(i) {
@@ -128,6 +128,7 @@ impl Passing {
                 }
                 'G' => self.g_word(&mut line, command, out),
                 'M' if tenths(value) == 60 && !out.facts.knows_m(60) => {
+                    out.written = [false; 3];
                     out.words(&line);
                     line.clear();
                     let all: Vec<&str> = tokens.iter().filter_map(Token::comment).collect();
@@ -195,6 +196,9 @@ impl Passing {
             let mut words = String::new();
             command.push(&mut words, 'G', out);
             out.prefix(&words);
+        } else if number == 920 && find(parameters, 'S').is_some() && !out.facts.tape {
+            // The fastest speed of the spindle, where G92 knows axes alone.
+            self.left_out('G', value, origin);
         } else if number == 490 && self.no_length {
             // What it would end has not begun.
             self.no_length = false;
@@ -205,7 +209,20 @@ impl Passing {
         } else {
             // The value of G64 P is LinuxCNC's own.
             let alone = number == 640 && out.facts.tape;
-            push_command(line, 'G', value, if alone { &[] } else { parameters }, out);
+            let mut kept = parameters.to_vec();
+            if !out.facts.axes {
+                for token in parameters {
+                    if let Token::Word(letter @ ('A'..='C' | 'U'..='W'), value) = *token {
+                        self.no_axis(letter, value, origin);
+                    }
+                }
+                kept.retain(|token| !matches!(token, Token::Word('A'..='C' | 'U'..='W', _)));
+                if kept.is_empty() && !parameters.is_empty() {
+                    // G28 without axes would move all of them.
+                    return;
+                }
+            }
+            push_command(line, 'G', value, if alone { &[] } else { &kept }, out);
             if makes_moves(number) {
                 out.forget_motion(true);
                 // FANUC's lead of a thread is its feed.
@@ -220,6 +237,9 @@ impl Passing {
     fn m_word(&mut self, line: &mut String, command: Command, out: &mut BlockWriter) {
         let Command { value, parameters, origin } = command;
         let number = tenths(value);
+        if number == 60 {
+            out.written = [false; 3];
+        }
         if out.facts.single && matches!(number, 30 | 40) {
             self.spindle[0] = Some(value);
             self.spindle[1] = find(parameters, 'S').or(self.spindle[1]);
@@ -284,7 +304,7 @@ impl Passing {
                 if out.facts.axes {
                     out.also(letter, value);
                 } else {
-                    self.no_axis(letter, origin);
+                    self.no_axis(letter, value, origin);
                 }
             }
         }
@@ -295,16 +315,20 @@ impl Passing {
         }
     }
 
-    fn no_axis(&mut self, letter: char, origin: Origin) {
+    /// Programs for machines with more axes often do no more than to set them to 0.
+    fn no_axis(&mut self, letter: char, value: f64, origin: Origin) {
         self.complete = false;
-        if self.told.iter().all(|(told, _)| *told != letter) {
-            self.told.push((letter, 0));
-            let message = format!("the target has no axis {letter}: its moves are left out");
-            self.tell(
-                Diagnostic::error("left-out", message)
-                    .with_origin(origin)
-                    .with_hint("the part will not be as programmed"),
-            );
+        let word = (letter, i64::from(value != 0.0));
+        if !self.told.contains(&word) {
+            self.told.push(word);
+            let (severity, what, hint) = if value == 0.0 {
+                (Severity::Warning, "its zeros", "the axis is taken to be at 0")
+            } else {
+                (Severity::Error, "its moves", "the part will not be as programmed")
+            };
+            let message = format!("the target has no axis {letter}: {what} are left out");
+            let left_out = Diagnostic::warning("left-out", message).with_origin(origin);
+            self.tell(Diagnostic { severity, ..left_out.with_hint(hint) });
         }
     }
 

@@ -16,7 +16,9 @@ use crate::contour::{ARC_TOLERANCE, Shape};
 use crate::geometry::{Arc, Involute, RadiusForm, perp};
 
 /// Words without a number: their letter and the number that stands for them.
-pub(super) const NAMES: [(&str, char, f64); 13] = [
+pub(super) const NAMES: [(&str, char, f64); 14] = [
+    // For one block no frame counts, as by G53.
+    ("SUPA", 'G', 53.0),
     ("NORM", 'k', 0.0),
     ("KONT", 'k', 1.0),
     ("KONTT", 'k', 2.0),

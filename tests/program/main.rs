@@ -15,6 +15,7 @@ mod meant;
 mod order;
 mod passed;
 mod planes;
+mod posts;
 mod reported;
 mod sample;
 mod splines;

@@ -55,7 +55,7 @@ fn other_axes_move_with_their_block_or_alone() {
     let (blocks, found) = written(program, Target::Grbl);
     let flat = ["G0 X0 Y0", "G1 X20 F300", "X25", "G2 Y10 J5 F400", "M2"];
     assert_eq!(blocks, flat, "grbl has three axes");
-    assert_eq!(found, ["left-out", "left-out"], "A and U, each once");
+    assert_eq!(found, ["left-out", "left-out", "left-out"], "A as 0, A and U, each once");
     let fanuc = written("G54 G0 X1 A90\nM2\n", Target::Fanuc0M).0;
     assert_eq!(fanuc[3], "N30 G0 X1. A90.", "with a point: {fanuc:?}");
 }
