@@ -47,7 +47,7 @@ pub use nearest::Nearest;
 pub use nth_root::nth_root;
 pub use nurbs::{Nurbs, NurbsError};
 pub use sine::sin_cos;
-pub use sort::{select, sort_long, sort_short};
+pub use sort::{sort_long, sort_short};
 pub use spline::{EndCondition, Parameter, Spline, SplineEnds};
 pub use spline_edit::{ChangedSpans, Least, SplineEdit};
 pub use vector::{cross, direction, perp, relative_to, rotate, turn};

@@ -46,38 +46,6 @@ pub fn sort_long<T>(items: &mut [T], before: impl Fn(&T, &T) -> bool) {
     }
 }
 
-/// Puts in place `nth` the item that would be there in a sorted list, none greater before it and
-/// none less after it (Hoare's selection).
-pub fn select<T>(items: &mut [T], nth: usize, key: impl Fn(&T) -> f64) {
-    let (mut from, mut to) = (0, items.len());
-    while from + 1 < to {
-        let pivot = key(&items[usize::midpoint(from, to)]);
-        // None greater than the pivot before `low`, none less from `high` on; if the two do not meet,
-        // what is between them is the pivot.
-        let (mut low, mut high) = (from, to);
-        while low < high {
-            if key(&items[low]) < pivot {
-                low += 1;
-            } else if key(&items[high - 1]) > pivot {
-                high -= 1;
-            } else if low + 1 == high {
-                break;
-            } else {
-                items.swap(low, high - 1);
-                low += 1;
-                high -= 1;
-            }
-        }
-        if nth < low {
-            to = low;
-        } else if nth >= high {
-            from = high;
-        } else {
-            return;
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -97,31 +65,6 @@ mod tests {
                 assert_eq!(items, expected, "{count} items");
             }
         }
-    }
-
-    #[test]
-    fn the_selected_item_parts_the_list() {
-        for count in [1, 2, 3, 10, 1000] {
-            let usual = [
-                mixed(count),
-                (0..count).collect(),
-                (0..count).rev().collect(),
-                vec![7; count as usize],
-            ];
-            for items in usual {
-                let mut expected = items.clone();
-                expected.sort_unstable();
-                for nth in [0, items.len() / 2, items.len() - 1] {
-                    let mut items = items.clone();
-                    select(&mut items, nth, |&item| f64::from(item));
-                    let (before, after) = items.split_at(nth);
-                    assert_eq!(after[0], expected[nth], "{count} items");
-                    assert!(before.iter().all(|&item| item <= after[0]), "{items:?}");
-                    assert!(after.iter().all(|&item| item >= after[0]), "{items:?}");
-                }
-            }
-        }
-        select(&mut [f64::NAN, 1.0, f64::NAN, 0.0], 2, |&item| item);
     }
 
     #[test]

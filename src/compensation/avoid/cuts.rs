@@ -8,6 +8,7 @@ use super::sieve::{Clearance, Fate};
 use super::tree::{Marks, OrderTree};
 use super::units::Workpiece;
 use crate::compensation::meet::meet;
+use crate::contour::MoveCurve;
 use crate::geometry::sort_long;
 
 /// Crossings nearer than this are one [mm]: where two pieces follow each other a crossing is found
@@ -148,20 +149,24 @@ impl Survey<'_> {
     /// All cuts, and the number of crossings.
     fn cuts(&self, clearance: &mut Clearance) -> (Vec<Cut>, u32) {
         let pieces = &self.work.pieces;
-        let is_open = |&i: &usize| self.fates[i] == Fate::Open;
-        let open: Vec<usize> = (0..pieces.len()).filter(is_open).collect();
-        let around = |&i: &usize| pieces[i].curve.hull_bounds().inflated(SAME_PLACE);
-        let tree = BoxTree::new(open.iter().map(around));
+        let (mut open, mut boxes) = (Vec::new(), Vec::new());
+        for (i, piece) in pieces.iter().enumerate() {
+            if self.fates[i] == Fate::Open {
+                open.push(i);
+                boxes.push(piece.curve.hull_bounds().inflated(SAME_PLACE));
+            }
+        }
+        let tree = BoxTree::new(boxes);
         let mut cuts: Vec<Cut> = Vec::new();
         let mut crossings = 0;
         for &i in &open {
             let a = &pieces[i];
             let [from, to] = clearance.tame(a.unit as usize);
-            tree.meeting(&a.curve.hull_bounds(), |j| {
+            tree.meeting(&a.curve.hull_bounds(), &mut |j| {
                 let j = open[j];
                 let b = &pieces[j];
                 // Paths along one tame stretch do not cross.
-                if j <= i || (from..to).contains(&(b.unit as usize)) {
+                if j <= i || (from..to).contains(&(b.unit as usize)) || self.goes_on(i, j) {
                     return true;
                 }
                 for crossing in meet(&a.curve, &b.curve).points() {
@@ -180,7 +185,7 @@ impl Survey<'_> {
         if !open.is_empty() {
             let Self { work, marks, tolerance, .. } = *self;
             each_fence(work, self.tree, marks, &tree, tolerance, &mut |fence| {
-                tree.meeting(&fence.hull_bounds(), |i| {
+                tree.meeting(&fence.hull_bounds(), &mut |i| {
                     let piece = open[i];
                     for crossing in meet(&pieces[piece].curve, fence).points() {
                         let (t, point) = (crossing.t, crossing.point);
@@ -200,6 +205,26 @@ impl Survey<'_> {
             piece.next as usize == b && piece.curve.end().distance(point) <= SAME_PLACE
         };
         follows(i, j) || follows(j, i)
+    }
+
+    /// Whether one of two pieces goes on where the other ends, with nothing of it beside that: no two
+    /// cubics are dearer to cross than those that touch at an end.
+    fn goes_on(&self, i: usize, j: usize) -> bool {
+        let pieces = &self.work.pieces;
+        let (a, b) = match [i, j].map(|k| pieces[k].next as usize) {
+            [next, _] if next == j => (i, j),
+            [_, next] if next == i => (j, i),
+            _ => return false,
+        };
+        let (MoveCurve::Cubic(a), MoveCurve::Cubic(b)) = (&pieces[a].curve, &pieces[b].curve)
+        else {
+            return false;
+        };
+        let (place, along) = (b.start(), b.points[1] - b.start());
+        let ahead = |p: &DVec2| (*p - place).dot(along);
+        a.points[..3].iter().all(|p| ahead(p) < 0.0)
+            && ahead(&a.end()) <= 0.0
+            && b.points[1..].iter().all(|p| ahead(p) > 0.0)
     }
 
     /// The parts of every piece between its cuts, but for those that are too near all along.

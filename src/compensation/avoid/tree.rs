@@ -275,10 +275,6 @@ fn around(nodes: &[Node]) -> Node {
     rest.iter().fold(first, |all, node| all.union(node))
 }
 
-fn join((a, b): (Octants, Octants)) -> Octants {
-    a.union(b)
-}
-
 /// A walk over all pairs that may be near.
 struct Join<'a> {
     tree: &'a OrderTree,
@@ -370,7 +366,10 @@ impl Join<'_> {
         let is_narrow = |octants: Option<Octants>| octants.is_some_and(Octants::is_narrow);
         is_narrow(all(a, b + 1))
             || self.ranges.get(range).is_some_and(|r| {
-                r.closed && b < r.to && is_narrow(all(b, r.to).zip(all(r.from, a + 1)).map(join))
+                let before = || all(r.from, a + 1);
+                r.closed
+                    && b < r.to
+                    && all(b, r.to).is_some_and(|o| is_narrow(before().map(|p| o.union(p))))
             })
     }
 
