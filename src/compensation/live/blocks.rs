@@ -7,7 +7,7 @@ use super::slots::Slots;
 use crate::geometry::{Bounds, sort_long};
 
 /// Spans of a block; when edits have made it twice as many, it is cut in two.
-pub(super) const BLOCK: usize = 8;
+pub(super) const BLOCK: usize = 4;
 
 /// Blocks that have a box in common.
 const YARD: usize = 64;
