@@ -52,7 +52,11 @@ pub(super) fn as_cut(
     }
     let near = moves_near(moves, bend, tool);
     // The path is within the tolerance of the offset, and both are rounded.
-    if !near.iter().any(|piece| piece.nearest(bend.center).distance <= 2.0 * tolerance) {
+    let touches = |piece: &MoveCurve| {
+        piece.hull_bounds().distance(bend.center) <= 2.0 * tolerance
+            && piece.nearest(bend.center).distance <= 2.0 * tolerance
+    };
+    if !near.iter().any(touches) {
         (cut.depth, cut.at) = depth_of(&near, &[segment], tool, bend.at);
     }
     for other in around.iter().filter(|other| at_bend(other)) {
@@ -156,14 +160,22 @@ pub(super) fn too_near(
 }
 
 /// How much nearer than r the moves come to the segments, and the point of the contour there.
+///
+/// From one place to another a depth changes by no more than their distance, so that of most places need
+/// not be looked for.
 fn depth_of(moves: &[MoveCurve], segments: &[&Segment], tool: Tool, place: DVec2) -> (f64, DVec2) {
     let mut deepest = (0.0, place);
-    for piece in moves {
-        for k in 0..=DEPTH_SAMPLES {
-            let center = piece.point(k as f64 / DEPTH_SAMPLES as f64);
-            for segment in segments {
+    for segment in segments {
+        let mut last = (DVec2::ZERO, f64::INFINITY);
+        for piece in moves {
+            for k in 0..=DEPTH_SAMPLES {
+                let center = piece.point(k as f64 / DEPTH_SAMPLES as f64);
+                if last.1 + last.0.distance(center) <= deepest.0 {
+                    continue;
+                }
                 let nearest = segment.curve.nearest(center);
                 let depth = tool.radius() - nearest.distance;
+                last = (center, depth);
                 if depth > deepest.0 {
                     deepest = (depth, nearest.point);
                 }
