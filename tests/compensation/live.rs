@@ -403,6 +403,29 @@ fn gouges_of_all_segments_are_avoided_around_an_edit_as_they_are_afresh() {
 }
 
 #[test]
+fn an_arc_that_comes_to_end_elsewhere_opens_the_contour() {
+    for gouge in [GougePolicy::Report, GougePolicy::Avoid] {
+        let arc = |x: f64| Shape::Arc { to: p(0.0, 0.0), center: p(x, 10.0), clockwise: false };
+        let mut builder = ContourBuilder::new(p(0.0, 0.0));
+        add(&mut builder, Shape::Line { to: p(2.0, 0.0) });
+        add(&mut builder, arc(1.0));
+        let options = Options { gouge, ..Options::default() };
+        let mut live = LiveContour::new(builder, true, tool(1.0, Side::Left), options, CHORD);
+        live.update();
+        // Off its middle by 0.1 mm the centre is 0.02 mm nearer to the end of the arc than to its start:
+        // few enough for the end to be taken onto the circle, where it does not meet the line.
+        for (x, closed) in [(1.1, false), (1.0, true), (1.1, false)] {
+            live.move_point(1, 1, p(x, 10.0)).expect("it is the centre of an arc");
+            live.update();
+            let says_so = live.path().diagnostics.iter().any(|said| said.code == "not-closed");
+            assert_eq!(says_so, !closed, "about x {x}");
+            let error = avoided_error(&live);
+            assert!(error <= 1e-5, "{gouge:?}, about x {x}: {error:e} mm");
+        }
+    }
+}
+
+#[test]
 fn no_edit_is_no_change() {
     let tool = tool(5.0, Side::Left);
     let mut live = LiveContour::new(ring(100), true, tool, Options::default(), CHORD);

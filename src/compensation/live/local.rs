@@ -247,7 +247,7 @@ impl Local {
     }
 
     fn refresh_plain(&mut self, described: &ContourBuilder, index: usize) -> Result<(), NotLocal> {
-        let start = start_of(described, index)?;
+        let start = self.start_of(described, index)?;
         let (shape, attributes) = &described.described()[index];
         self.checked(start)?;
         self.checked(shape.end().ok_or(NotLocal)?)?;
@@ -260,6 +260,11 @@ impl Local {
         if !built.diagnostics.is_empty() || !matches!(self.parts[index], Part::Plain(_)) {
             return Err(NotLocal);
         }
+        // An arc that is not as far from its centre at both ends may end elsewhere, where the contour
+        // may not close.
+        if shape.end() != Some(segment.curve.end()) {
+            return Err(NotLocal);
+        }
         self.parts[index] = Part::Plain(Segment::clone(segment));
         self.touch(index, ChangedSpans { first: 0, count: 1 });
         Ok(())
@@ -268,7 +273,7 @@ impl Local {
     /// Lets a spline begin where it is described to, and end as its neighbours make it.
     fn refresh_spline(&mut self, described: &ContourBuilder, index: usize) -> Result<(), NotLocal> {
         let Part::Spline(spline, _) = &self.parts[index] else { return Ok(()) };
-        let (start, last) = (start_of(described, index)?, spline.spans());
+        let (start, last) = (self.start_of(described, index)?, spline.spans());
         let end = described.described()[index].0.end().ok_or(NotLocal)?;
         let tangent_of = |part: usize, at_end| self.parts[part].plain_tangent(at_end);
         let ends = described.spline_ends(index, self.wraps, &tangent_of);
@@ -286,6 +291,15 @@ impl Local {
             self.touch(index, changed);
         }
         Ok(())
+    }
+
+    /// Where a described segment starts [mm].
+    fn start_of(&self, described: &ContourBuilder, index: usize) -> Result<DVec2, NotLocal> {
+        let Some(before) = index.checked_sub(1) else { return Ok(described.start()) };
+        match &self.parts[before] {
+            Part::Plain(segment) => Ok(segment.curve.end()),
+            Part::Spline(..) => described.described()[before].0.end().ok_or(NotLocal),
+        }
     }
 
     fn spline(&mut self, part: usize) -> Result<&mut SplineEdit, NotLocal> {
@@ -415,13 +429,5 @@ impl Local {
 fn moves(inserted: &[MoveCurve], pen: &mut Pen) {
     for piece in inserted {
         pen.curve(piece);
-    }
-}
-
-/// Where a described segment starts [mm].
-fn start_of(described: &ContourBuilder, index: usize) -> Result<DVec2, NotLocal> {
-    match index.checked_sub(1) {
-        None => Ok(described.start()),
-        Some(before) => described.described()[before].0.end().ok_or(NotLocal),
     }
 }
