@@ -31,11 +31,13 @@ impl Frame {
     /// `T'' = (r''' − 3 σ (r''·T) T')/σ³`, to which `−|T'|² T` comes along it.
     #[must_use]
     pub fn of_derivatives(point: DVec3, [first, second, third]: [DVec3; 3]) -> Self {
-        let speed = first.length();
-        let tangent = first / speed;
+        // Divisions take long: one for all.
+        let inverse = first.length_recip();
+        let square = inverse * inverse;
+        let tangent = first * inverse;
         let along = second.dot(tangent);
-        let curvature = (second - tangent * along) / (speed * speed);
-        let turned = (third / speed - curvature * (3.0 * along)) / (speed * speed);
+        let curvature = (second - tangent * along) * square;
+        let turned = (third * inverse - curvature * (3.0 * along)) * square;
         let across = turned - tangent * turned.dot(tangent);
         let sharpness = across - tangent * curvature.length_squared();
         Self { point, tangent, curvature, sharpness }

@@ -19,9 +19,23 @@ const NODES: [f64; NODE_COUNT] = [
 ];
 const NODE_COUNT: usize = 9;
 
-/// Newton's steps from arc length to parameter. The start is off by what the speed varies by, at
-/// most a half, and each step squares the error.
+/// Most of Newton's steps from arc length to parameter. The start is a cubic with the right speeds at
+/// both ends, and each step about squares the error.
 const STEPS: usize = 4;
+
+/// A step after which the error is of the size of rounding.
+const LAST_STEP: f64 = 1.0e-6;
+
+/// What the integrals of powers are divided by, inverted: divisions take long.
+const SHARES: [f64; NODE_COUNT] = {
+    let mut shares = [0.0; NODE_COUNT];
+    let mut i = 0;
+    while i < NODE_COUNT {
+        shares[i] = 1.0 / (i + 1) as f64;
+        i += 1;
+    }
+    shares
+};
 
 /// A curve `r(t) = Σ cᵢ tⁱ` in space, or a part of it.
 ///
@@ -33,6 +47,8 @@ pub struct Quintic {
     powers: [DVec3; 6],
     /// Those of the speed `|dr/dt|` [mm].
     speed: [f64; NODE_COUNT],
+    /// How fast `t` grows with the part of the length at both ends.
+    paces: [f64; 2],
     /// Where on the whole curve this part begins [mm].
     from: f64,
     /// Length of the whole curve [mm].
@@ -57,30 +73,42 @@ impl Quintic {
                 speed[i] -= NODES[first] * speed[i + 1];
             }
         }
-        let mut curve = Self { powers, speed, from: 0.0, whole: 0.0, length: 0.0 };
-        curve.whole = curve.run(1.0)[0];
+        let mut curve = Self { powers, speed, paces: [1.0; 2], from: 0.0, whole: 0.0, length: 0.0 };
+        let [length, end] = curve.run(1.0);
+        curve.whole = length;
+        curve.paces = [length / speed[0], length / end];
         curve.length = curve.whole;
         curve
     }
 
     /// The arc length of the whole curve up to `t` [mm], and the speed there.
     fn run(&self, t: f64) -> [f64; 2] {
-        let (mut length, mut speed) = (0.0, 0.0);
-        for (i, c) in self.speed.iter().enumerate().rev() {
-            length = length * t + c / (i + 1) as f64;
-            speed = speed * t + c;
+        // Even and odd powers apart: two chains of half the length.
+        let square = t * t;
+        let (mut length, mut speed) = ([0.0; 2], [0.0; 2]);
+        for i in (0..NODE_COUNT).rev() {
+            let odd = i % 2;
+            length[odd] = length[odd] * square + self.speed[i] * SHARES[i];
+            speed[odd] = speed[odd] * square + self.speed[i];
         }
-        [length * t, speed]
+        [(length[0] + length[1] * t) * t, speed[0] + speed[1] * t]
     }
 
     /// Point and derivatives at the arc length `s` [mm].
     #[must_use]
     pub fn frame(&self, s: f64) -> Frame {
         let s = self.from + s;
-        let mut t = s / self.whole;
+        let part = s / self.whole;
+        let [start, end] = self.paces;
+        let rest = 1.0 - part;
+        let mut t = part * (1.0 + rest * (rest * (start - 1.0) - part * (end - 1.0)));
         for _ in 0..STEPS {
             let [length, speed] = self.run(t);
-            t = (t - (length - s) / speed).clamp(-0.01, 1.01);
+            let step = (length - s) / speed;
+            t = (t - step).clamp(-0.01, 1.01);
+            if step.abs() < LAST_STEP {
+                break;
+            }
         }
         let [point, first, second, third] = derivatives(&self.powers, t);
         Frame::of_derivatives(point, [first, second, third])
