@@ -38,6 +38,8 @@ pub(super) struct Auxiliary<'a> {
     pub(super) end: bool,
     /// Whether the machine waits after this block.
     pub(super) stops: bool,
+    /// The groups of its M words.
+    groups: u32,
 }
 
 impl<'a> Auxiliary<'a> {
@@ -48,6 +50,7 @@ impl<'a> Auxiliary<'a> {
             comments: &block.comments,
             end: false,
             stops: false,
+            groups: 0,
         }
     }
 
@@ -189,6 +192,9 @@ impl Interpreter {
             append_word(&mut text, 'S', found.value);
             return text;
         }
+        if self.rules.is_strict && found.value < 0.0 {
+            self.refuse("the speed is negative", block.origin_at(found.column));
+        }
         self.modal.feed.set_speed(found.value);
         let feet = self.modal.inches && self.modal.feed.is_surface_speed();
         word('S', if feet { found.value * FOOT } else { found.value })
@@ -202,6 +208,7 @@ impl Interpreter {
         words: &mut Words,
         auxiliary: &mut Auxiliary,
     ) {
+        let at = block.origin_at(found.column);
         match tenths {
             20 | 300 => auxiliary.end = true,
             0 | 10 | 600 => auxiliary.stops = true,
@@ -220,6 +227,18 @@ impl Interpreter {
             _ => {}
         }
         let (rank, letters) = m_word(tenths);
+        if self.rules.is_strict {
+            let group = 1 << rank;
+            let alone = rank != rank::USER || matches!(tenths, 700..=730 | 980 | 990);
+            if !alone && tenths < 1000 {
+                self.refuse(&format!("M{} is not known", Decimal::of(found.value)), at);
+            } else if auxiliary.groups & group != 0 {
+                self.refuse("two M words of one group", at);
+            } else if tenths == 610 && block.words.iter().all(|word| word.letter != 'Q') {
+                self.refuse("M61 has no Q word", at);
+            }
+            auxiliary.groups |= group;
+        }
         if rank == rank::OUTPUT || rank == rank::OVERRIDE {
             self.not_while_on(block, found);
         }
@@ -238,6 +257,7 @@ impl Interpreter {
     ) {
         // Firmware for printers takes seconds beside S.
         let letters: &[char] = match self.dialect {
+            _ if self.rules.is_strict => &['P'],
             Dialect::Sinumerik => &['F', 'P', 'X'],
             _ => &['P', 'X', 'U', 'S'],
         };

@@ -8,7 +8,7 @@ use super::g_words::Motion;
 use super::interpret::{GEOMETRY, Interpreter};
 use super::type_points::{SplineWord, spline_word};
 use super::words::Words;
-use crate::contour::Shape;
+use crate::contour::{Plane, Shape};
 
 /// The letters of an offset from the start, for x, y and z.
 const CENTER: [char; 3] = ['I', 'J', 'K'];
@@ -27,6 +27,9 @@ impl Interpreter {
     pub(super) fn g05(&mut self, block: &Block, words: &mut Words) {
         if !words.has_any("XYZIJKPQ") {
             return;
+        }
+        if self.rules.is_strict && self.modal.plane != Plane::Xy {
+            return self.refuse("G5 is a curve in the plane G17", block.start());
         }
         match spline_word(50, words) {
             SplineWord::Cubic => {

@@ -1,33 +1,25 @@
-//! Words that change coordinates, or move by those of the machine: G10, G28, G30, G52 to G59.3,
-//! G92, scaling, mirroring, rotation and polar coordinates.
+//! Words that change coordinates, or move by those of the machine: G10, G28, G30, G52 to G59.3 and
+//! G92.
 //!
 //! Where the origins lie the machine knows, so these words are passed on. The tool gets another
 //! number for the same place where the program tells which; else its number is assumed until a
 //! block states it.
 
-use glam::{DVec2, DVec3};
+use glam::DVec3;
 
+use super::assumed::Assumed;
 use super::auxiliary::{append_word, take_as_text, word as text_of};
 use super::block::{Block, Word};
 use super::dialect::Dialect;
-use super::frame::{Frame, Polar, radians};
+use super::frame::radians;
 use super::g_words::{Act, GWord, g_word};
 use super::interpret::Interpreter;
 use super::number::whole;
-use super::other_moves::pick;
 use super::words::{Words, tenths};
 use crate::contour::Reset;
-use crate::diagnostic::Diagnostic;
-use crate::geometry::{Decimal, MAX_COORDINATE, turn};
 
 /// The letters of the axes.
 pub(super) const AXES: [char; 3] = ['X', 'Y', 'Z'];
-
-/// Scaling factors from here on are thousandths, as FANUC counts them without a decimal point.
-const THOUSANDTHS: f64 = 10.0;
-
-/// Smallest scaling factor: coordinates divided by it stay numbers.
-const MIN_FACTOR: f64 = 1e-3;
 
 /// The coordinate systems of the machine, as far as the program tells.
 #[derive(Debug, Clone)]
@@ -42,6 +34,11 @@ pub(super) struct Systems {
     lost: [bool; 3],
     /// Whether it was said where the machine's zero is taken to be.
     pub(super) said: bool,
+    /// Their numbers on a control that is strict.
+    pub(super) assumed: Assumed,
+    /// Where the tool is in the coordinates of the machine while words change those of the program
+    /// [mm], on a control that is strict.
+    pub(super) held: Option<DVec3>,
 }
 
 impl Systems {
@@ -52,19 +49,14 @@ impl Systems {
             shift: [[Some(0.0); 3]; 2],
             lost: [false; 3],
             said: false,
+            assumed: Assumed::default(),
+            held: None,
         }
     }
 
     /// The active system, 0 being G54, if a word has said which.
     pub(super) fn active(&self) -> Option<usize> {
         self.active
-    }
-
-    /// The number of the machine's zero in the active system [mm], where the origins that no block
-    /// sets lie there.
-    pub(super) fn machine_zero(&self, axis: usize) -> Option<f64> {
-        let origin = self.origin(self.active.unwrap_or(0), axis).unwrap_or(0.0);
-        self.shift[0][axis].filter(|_| !self.lost[axis]).map(|shift| -shift - origin)
     }
 
     /// A coordinate of the origin of a system [mm], if the program has set it.
@@ -81,6 +73,9 @@ impl Interpreter {
                 && let Some(number) = tenths(word)
                 && let Some(GWord::Act(act)) = g_word(number)
             {
+                let Systems { active, assumed, .. } = self.modal.systems;
+                let machine = assumed.machine(active, self.modal.position);
+                self.modal.systems.held = self.rules.is_strict.then_some(machine);
                 self.act(block, word, act, number, words);
             }
         }
@@ -93,8 +88,14 @@ impl Interpreter {
             Act::SetData => self.set_data(block, word, words),
             Act::Origin => self.origin(block, word, words),
             Act::OriginOff => {
-                let shift = self.modal.systems.shift[0];
-                self.modal.systems.shift[1] = if number == 922 { shift } else { [Some(0.0); 3] };
+                let systems = &mut self.modal.systems;
+                let shift = systems.shift[0];
+                systems.assumed.shift = DVec3::ZERO;
+                // G92.2 keeps it for G92.3.
+                if number != 922 {
+                    systems.shift[1] = [Some(0.0); 3];
+                    systems.assumed.kept = DVec3::ZERO;
+                }
                 self.shift_by(block, word, shift, passed_on);
                 self.modal.systems.shift[0] = [Some(0.0); 3];
             }
@@ -106,11 +107,17 @@ impl Interpreter {
                         added[i] = Some(shift - kept);
                     }
                 }
+                self.modal.systems.assumed.shift = self.modal.systems.assumed.kept;
                 self.shift_by(block, word, added, passed_on);
                 self.modal.systems.shift[0] = kept;
             }
-            Act::Home => self.home(block, word, words),
-            Act::StoreHome => self.pass_reset(block, passed_on),
+            Act::Home => self.home(block, word, number, words),
+            Act::StoreHome => {
+                if let Some(machine) = self.modal.systems.held {
+                    self.modal.systems.assumed.homes[usize::from(number > 300)] = machine;
+                }
+                self.pass_reset(block, passed_on);
+            }
             Act::Machine => self.machine(block, word, words),
             Act::Local => {
                 // What is resolved here changes no coordinates of the machine's system.
@@ -130,9 +137,13 @@ impl Interpreter {
     }
 
     /// Passes words on after which the next move starts where it says.
-    fn pass_reset(&mut self, block: &Block, text: String) {
+    pub(super) fn pass_reset(&mut self, block: &Block, text: String) {
         if self.is_refused {
             return;
+        }
+        let systems = &mut self.modal.systems;
+        if let Some(machine) = systems.held {
+            self.modal.position = systems.assumed.place(systems.active, machine);
         }
         let states = std::mem::take(&mut self.owed);
         let reset = Reset { at: self.modal.position, states, moves: 0 };
@@ -195,6 +206,9 @@ impl Interpreter {
         }
         let others = self.other_origins(words, &mut text);
         if given == [false; 3] && !others {
+            if self.rules.is_strict {
+                self.error("missing-axes", "G92 has no axes", block.origin_at(word.column), "");
+            }
             return;
         }
         self.leave_contour(block, word.column, "the coordinate system", None);
@@ -204,14 +218,20 @@ impl Interpreter {
         }
         for i in 0..3 {
             if given[i] {
-                let shift = &mut self.modal.systems.shift[0][i];
+                let added = self.modal.position[i] - to[i];
+                let systems = &mut self.modal.systems;
+                let shift = &mut systems.shift[0][i];
                 let known = self.modal.stated[i];
-                *shift = shift.filter(|_| known).map(|s| s + self.modal.position[i] - to[i]);
+                *shift = shift.filter(|_| known).map(|shift| shift + added);
+                systems.assumed.shift[i] += added;
                 self.modal.position[i] = to[i];
                 self.modal.stated[i] = true;
                 append_word(&mut text, AXES[i], to[i]);
             }
         }
+        let systems = &mut self.modal.systems;
+        systems.shift[1] = systems.shift[0];
+        systems.assumed.kept = systems.assumed.shift;
         self.pass_reset(block, text);
     }
 
@@ -226,7 +246,20 @@ impl Interpreter {
             return;
         };
         let mut text = format!("G10 L{kind}");
-        let number = number.and_then(|number| whole(number.value));
+        let strict = self.rules.is_strict;
+        let rounded = |number: f64| if strict { number.round() } else { number };
+        let number = number.and_then(|number| whole(rounded(number.value)));
+        if strict {
+            let message = match (kind, number) {
+                (2 | 20, Some(0..=9)) | (0 | 1 | 10 | 11, Some(_)) => "",
+                (2 | 20, _) => "P is no coordinate system (0 to 9)",
+                (1 | 10 | 11, None) => "P is no tool",
+                _ => "L is none of 1, 2, 10, 11 and 20",
+            };
+            if !message.is_empty() {
+                return self.refuse(message, block.origin_at(word.column));
+            }
+        }
         if let Some(number) = number {
             append_word(&mut text, 'P', f64::from(number));
         }
@@ -253,6 +286,7 @@ impl Interpreter {
                 Some(number) => Some(number as usize - 1),
             };
             let concerns_all = radius.is_some() || fanuc && (number == Some(0) || kind == 20);
+            self.assume(kind == 20, system.unwrap_or(0), given, radius.map(|word| word.value));
             self.origins(kind == 20, system, given, concerns_all);
         } else if let (Some(number), Some(radius)) = (number, radius)
             && match kind {
@@ -264,6 +298,26 @@ impl Interpreter {
             self.modal.set_radius(number, radius.value * unit);
         }
         self.pass_reset(block, text);
+    }
+
+    /// The same for the numbers of a control that is strict.
+    fn assume(
+        &mut self,
+        by_place: bool,
+        system: usize,
+        given: [Option<f64>; 3],
+        angle: Option<f64>,
+    ) {
+        let Systems { assumed, held, .. } = &mut self.modal.systems;
+        let Some(machine) = *held else { return };
+        if by_place {
+            return assumed.set_by_place(system, machine, given);
+        }
+        let Some((origin, turned)) = assumed.origins.get_mut(system) else { return };
+        *turned = angle.map_or(*turned, radians);
+        for (origin, given) in origin.as_mut().iter_mut().zip(given) {
+            *origin = given.unwrap_or(*origin);
+        }
     }
 
     /// New origins of a coordinate system [mm], or new numbers for the place of the tool in it.
@@ -311,7 +365,7 @@ impl Interpreter {
     }
 
     /// G28 and G30: by way of a point to where only the machine knows.
-    fn home(&mut self, block: &Block, word: &Word, words: &mut Words) {
+    fn home(&mut self, block: &Block, word: &Word, number: u32, words: &mut Words) {
         self.leave_contour(block, word.column, "the reference point", None);
         let mut text = text_of('G', word.value);
         let mut named = [false; 3];
@@ -337,8 +391,8 @@ impl Interpreter {
         }
         self.forget(named);
         let via = self.modal.frame.map(via);
-        let zero = self.machine_zero(block, named);
-        let home = zero.map(|zero| pick(named, zero, via));
+        let place = self.modal.systems.assumed.homes[usize::from(number == 300)];
+        let home = self.machine_place(block, named, place, via);
         let ways = home.map(|home| [via, home]);
         let ways = ways.as_ref().map_or(&[][..], |ways| ways);
         self.by_words(block, text, from, ways, true, None);
@@ -353,110 +407,4 @@ impl Interpreter {
             *stated &= !forgotten;
         }
     }
-
-    /// G15, G16, G50, G51, G50.1, G51.1, G68 and G69.
-    fn transform(&mut self, block: &Block, word: &Word, act: Act, words: &mut Words) {
-        let plane = self.modal.plane;
-        let before = self.modal.frame.clone();
-        let mut at = before.unmap(self.modal.position);
-        let mut given = [false; 3];
-        if matches!(act, Act::Scale(true) | Act::Mirror(_) | Act::Rotate(true)) {
-            for (i, letter) in AXES.into_iter().enumerate() {
-                if let Some(axis) = words.take(letter) {
-                    at[i] = self.modal.length_of(i, axis.value);
-                    given[i] = true;
-                }
-            }
-        }
-        if self.leads_too_far(block, word.column, at) {
-            return;
-        }
-        let frame = &mut self.modal.frame;
-        let what = match act {
-            Act::Polar(on) => {
-                let (pole, angle) = if self.modal.relative {
-                    (plane.split(at).0, 0.0)
-                } else {
-                    let flat = plane.split(at).0;
-                    (DVec2::ZERO, turn(DVec2::X, flat))
-                };
-                frame.polar = on.then_some(Polar { pole, angle });
-                return;
-            }
-            Act::Rotate(false) => {
-                frame.rotation = None;
-                "the rotation"
-            }
-            Act::Rotate(true) => {
-                let Some(angle) = words.take('R') else {
-                    let at = block.origin_at(word.column);
-                    self.error("missing-angle", "the rotation (G68) has no angle", at, "add R");
-                    return;
-                };
-                frame.rotation = Some((plane, plane.split(at).0, radians(angle.value)));
-                "the rotation"
-            }
-            Act::Mirror(on) => {
-                for i in 0..3 {
-                    if given[i] || !on && given == [false; 3] {
-                        frame.mirror[i] = on.then_some(at[i]);
-                    }
-                }
-                "the mirror"
-            }
-            _ => {
-                let Some(factors) = self.factors(block, word, act, words) else { return };
-                self.modal.frame.factors = factors;
-                self.modal.frame.fixed = at;
-                "the scale"
-            }
-        };
-        if self.course.switched().is_some() && differs(&before, &self.modal.frame) {
-            self.leave_contour(block, word.column, what, None);
-        }
-    }
-
-    /// The factors of G51, or those of G50.
-    fn factors(
-        &mut self,
-        block: &Block,
-        word: &Word,
-        act: Act,
-        words: &mut Words,
-    ) -> Option<DVec3> {
-        if act == Act::Scale(false) {
-            return Some(DVec3::ONE);
-        }
-        let all = words.take('P');
-        let (mut factors, mut thousandths) = (DVec3::ONE, None);
-        for (i, letter) in ['I', 'J', 'K'].into_iter().enumerate() {
-            let Some(found) = words.take(letter).or(all) else { continue };
-            factors[i] = found.value;
-            if found.value.abs() >= THOUSANDTHS {
-                factors[i] /= 1000.0;
-                thousandths = Some(found);
-            }
-        }
-        if let Some(found) = thousandths {
-            let message = format!(
-                "{}{} counts thousandths, as FANUC does",
-                found.letter,
-                Decimal::of(found.value)
-            );
-            let at = block.origin_at(found.column);
-            self.report.push(Diagnostic::info("scale-in-thousandths", message).with_origin(at));
-        }
-        let usable = factors.abs().min_element() >= MIN_FACTOR;
-        if !usable || factors.abs().max_element() > MAX_COORDINATE {
-            let at = block.origin_at(word.column);
-            self.error("bad-scale", "the scale (G51) is no usable factor", at, "it has no effect");
-            return None;
-        }
-        Some(factors)
-    }
-}
-
-/// Whether the frames map points otherwise.
-fn differs(a: &Frame, b: &Frame) -> bool {
-    a.mirror != b.mirror || a.factors != b.factors || a.rotation != b.rotation
 }

@@ -67,10 +67,17 @@ impl Interpreter {
             return self.thread_cycle(block, words);
         }
         let normal = self.modal.plane.axes()[2];
-        let hits = words.has_any("XYZR@^");
-        let first = self.modal.cycle.number.is_none();
-        if first {
+        let strict = self.rules.is_strict;
+        let hits = words.has_any("XYZ@^") || !strict && words.has_any("R");
+        if strict && !hits {
+            return;
+        }
+        let before = self.modal.cycle;
+        if before.number.is_none() {
             let initial = self.modal.frame.unmap(self.modal.position)[normal];
+            self.modal.cycle = CycleNumbers { initial, ..CycleNumbers::default() };
+        } else if strict && before.number != Some(number) {
+            let initial = before.initial;
             self.modal.cycle = CycleNumbers { initial, ..CycleNumbers::default() };
         }
         self.modal.cycle.number = Some(number);
@@ -117,7 +124,7 @@ impl Interpreter {
         } else {
             (retract, bottom)
         };
-        if retract < bottom && number != 87 {
+        if retract < bottom && (number != 87 || strict) {
             self.error(
                 "retract-below-bottom",
                 format!("the level R of the cycle (G{number}) is below its bottom"),
@@ -142,10 +149,16 @@ impl Interpreter {
             let normal = self.modal.plane.axes()[2];
             self.modal.cycle.retract = Some(self.modal.length_of(normal, word.value));
         }
-        if let Some(word) = words.take('P') {
+        // What a control that is strict has no use for is left, and said not to be understood.
+        let strict = self.rules.is_strict;
+        if !(strict && matches!(number, 73 | 81 | 83 | 85 | 87))
+            && let Some(word) = words.take('P')
+        {
             self.modal.cycle.dwell = Some(self.seconds(block, word));
         }
-        if let Some(word) = words.take('Q') {
+        if (!strict || matches!(number, 73 | 83))
+            && let Some(word) = words.take('Q')
+        {
             self.modal.cycle.step = Some(word.value * unit);
         }
         // K repeats on newer FANUC controls; in other cycles than G76 and G87 it is nothing else.
@@ -156,16 +169,35 @@ impl Interpreter {
                     self.modal.cycle.shift[i] = Some(word.value * unit);
                 }
             }
-        } else {
+        } else if !strict {
             repeats = repeats.or_else(|| words.take('K'));
         }
+        let least = u32::from(strict);
         match repeats {
             None => 1,
-            Some(word) => whole(word.value).filter(|n| *n <= MOST).unwrap_or_else(|| {
-                self.bad_repeats(block, word);
-                1
-            }),
+            Some(word) => {
+                whole(word.value).filter(|n| (least..=MOST).contains(n)).unwrap_or_else(|| {
+                    self.bad_repeats(block, word);
+                    1
+                })
+            }
         }
+    }
+
+    /// Whether a control that is strict misses the dwell, the step or the feed.
+    fn lacks_words(&mut self, block: &Block, number: u32) -> bool {
+        let numbers = self.modal.cycle;
+        let lacks = match number {
+            82 | 86 | 88 | 89 => numbers.dwell.is_none(),
+            73 | 83 => numbers.step.is_none_or(|step| step <= 0.0),
+            _ => false,
+        };
+        if lacks {
+            let letter = if matches!(number, 73 | 83) { 'Q' } else { 'P' };
+            self.refuse(&format!("the cycle (G{number}) has no {letter} word"), block.start());
+        }
+        self.feed_of_moves(block);
+        self.is_refused
     }
 
     fn bad_repeats(&mut self, block: &Block, word: &Word) {
@@ -191,7 +223,8 @@ impl Interpreter {
         let normal = plane.axes()[2];
         let start = self.modal.frame.unmap(self.modal.position);
         let words = *words;
-        if !self.modal.stated[normal] {
+        let known = self.rules.is_strict || self.modal.stated[normal];
+        if !known {
             self.modal.cycle.initial = retract;
         }
         let initial = self.modal.cycle.initial;
@@ -200,7 +233,7 @@ impl Interpreter {
         let mut down = Axes::default();
         down.words[normal] = depth.or(block.words.first());
         let mut height = start[normal];
-        if !self.modal.stated[normal] {
+        if !known {
             self.report.warning(
                 "unknown-start",
                 "a cycle begins before the program says how high the tool is",
@@ -211,6 +244,9 @@ impl Interpreter {
             // Never across below the level R.
             height = retract;
             self.cycle_to(block, &down, start, height, true);
+        }
+        if self.rules.is_strict && self.lacks_words(block, number) {
+            return;
         }
         for repeat in 0..repeats {
             // Under G91 each hole lies farther on.
@@ -238,6 +274,16 @@ impl Interpreter {
         let fanuc = self.dialect == Dialect::Fanuc;
         let &Hole { bottom, clear, retract, .. } = hole;
         let spindle = self.modal.spindle;
+        let turns = match number {
+            74 => spindle == Some(4),
+            84 => spindle == Some(3),
+            86..=88 => spindle.is_some(),
+            _ => true,
+        };
+        if self.rules.is_strict && !turns {
+            let message = format!("the cycle (G{number}) needs the spindle to turn its way");
+            return self.refuse(&message, hole.block.start());
+        }
         match number {
             73 | 83 => self.pecks(hole, number == 83),
             _ if number != 87 => self.go(hole, bottom, false),
@@ -293,7 +339,7 @@ impl Interpreter {
         if count >= 1.0 && count <= f64::from(MOST) { count as u32 } else { 1 }
     }
 
-    /// Down in steps of Q: G83 goes out of the hole after each, G73 only back.
+    /// Down in steps of Q: G83 goes back to R after each, G73 only so far that the chip breaks.
     fn pecks(&mut self, hole: &Hole, out: bool) {
         let step = self.modal.cycle.step.unwrap_or(0.0);
         let count = (hole.retract - hole.bottom) / step;
@@ -302,7 +348,7 @@ impl Interpreter {
             while depth > hole.bottom + MIN_LENGTH {
                 self.go(hole, depth, false);
                 if out {
-                    self.go(hole, hole.clear, true);
+                    self.go(hole, hole.retract, true);
                 }
                 self.go(hole, depth + PECK_CLEARANCE, true);
                 depth -= step;

@@ -4,7 +4,7 @@ use super::dialect::Dialect;
 use super::functions::{FUNCTIONS, Function, Impossible, OPERATORS, Operator};
 use super::lexer::LineReader;
 use super::number::NumberError;
-use super::parameters::{FAILED, LAST, Target};
+use super::parameters::{FAILED, LAST, LAST_OF_NGC, Target};
 
 /// Deepest nesting of brackets, functions and signs.
 const DEEPEST: u32 = 100;
@@ -27,6 +27,7 @@ fn fault<T>((code, message): Impossible, at: usize) -> Result<T, Fault> {
     Err(Fault { code, message, at })
 }
 
+const NOT_FINITE: Impossible = ("no-number", "the result is no number");
 const NO_NUMBER: Impossible = ("bad-expression", "a number is missing");
 const NO_BRACKET: Impossible = ("bad-expression", "a closing bracket is missing");
 const NO_PARAMETER: Impossible = ("bad-parameter", "there is no such parameter");
@@ -118,17 +119,18 @@ impl LineReader<'_> {
     }
 
     /// Values and operators that bind at least as tightly as `least`, those of one rank from left
-    /// to right.
+    /// to right. What is no number may be compared on the way, but does not come out.
     pub(super) fn expression(&mut self, least: u8) -> Value {
+        let from = self.cursor.at();
         let mut left = self.value()?;
         loop {
             self.cursor.peek();
             let at = self.cursor.at();
-            let Some(operator) = self.operator() else { return Ok(left) };
+            let Some(operator) = self.operator() else { break };
             let rank = operator.rank(self.dialect);
             if rank < least {
                 self.cursor.set(at);
-                return Ok(left);
+                break;
             }
             // Not deeper than there are ranks.
             let right = self.expression(rank + 1)?;
@@ -137,6 +139,10 @@ impl LineReader<'_> {
                 Err(impossible) => return fault(impossible, at),
             }
         }
+        if least == 1 && !left.is_finite() && self.dialect != Dialect::Fanuc {
+            return fault(NOT_FINITE, from);
+        }
+        Ok(left)
     }
 
     fn operator(&mut self) -> Option<Operator> {
@@ -177,17 +183,22 @@ impl LineReader<'_> {
         result.or_else(|impossible| fault(impossible, at))
     }
 
-    /// `EXISTS[#<name>]`.
+    /// `EXISTS[#<name>]`; those with numbers are always there.
     fn exists(&mut self, at: usize) -> Value {
         self.cursor.skip();
-        if self.cursor.eat(b'#')
-            && let Some(name) = self.cursor.name()
-        {
-            self.close()?;
-            let known = self.parameters.name(&name).or_else(|| self.interpreter.system_name(&name));
-            return Ok(f64::from(u8::from(known.is_some())));
+        if !self.cursor.eat(b'#') {
+            return fault(("bad-expression", "EXISTS asks for a parameter"), at);
         }
-        fault(("bad-expression", "EXISTS asks for a named parameter"), at)
+        let known = match self.target()? {
+            Target::Name(name) => self
+                .parameters
+                .name(&name)
+                .or_else(|| self.interpreter.system_name(&name))
+                .is_some(),
+            Target::Number(number) => (1..=LAST_OF_NGC).contains(&number),
+        };
+        self.close()?;
+        Ok(f64::from(u8::from(known)))
     }
 
     /// What stands after `#`.
@@ -201,16 +212,14 @@ impl LineReader<'_> {
                     None => fault(("bad-parameter", "the name of the parameter has no end"), at),
                 };
             }
-            Some(b'0'..=b'9') => match self.cursor.digits() {
-                Some(number) if self.cursor.peek() != Some(b'.') => f64::from(number),
-                _ => return fault(NO_PARAMETER, at),
-            },
-            Some(b'#' | b'[') => self.value()?,
+            Some(b'0'..=b'9' | b'#' | b'[') => self.value()?,
             _ => return fault(("bad-parameter", "# has no number"), at),
         };
         let whole = index.round();
         let fanuc = self.dialect == Dialect::Fanuc;
-        if !(0.0..=f64::from(LAST)).contains(&whole)
+        let strict = self.interpreter.rules.is_strict;
+        let [first, last] = if strict { [1, LAST_OF_NGC] } else { [0, LAST] };
+        if !(f64::from(first)..=f64::from(last)).contains(&whole)
             || !fanuc && (index - whole).abs() > NEARLY_WHOLE
         {
             return fault(NO_PARAMETER, at);

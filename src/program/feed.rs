@@ -46,9 +46,10 @@ impl Feed {
         }
     }
 
-    /// G93, G94 and G95. A number that was meant otherwise does not count any more.
-    pub(super) fn set_mode(&mut self, mode: FeedMode) {
-        if self.mode != mode {
+    /// G93, G94 and G95. A number that was meant otherwise does not count any more, and on a control
+    /// that is strict none does.
+    pub(super) fn set_mode(&mut self, mode: FeedMode, is_strict: bool) {
+        if self.mode != mode || is_strict {
             self.mode = mode;
             self.value = None;
         }
@@ -97,7 +98,7 @@ impl Feed {
 impl Interpreter {
     /// The F word.
     pub(super) fn feed(&mut self, block: &Block, words: &mut Words) {
-        let unit = self.modal.unit();
+        let unit = self.modal.feed_unit;
         let feed = &mut self.modal.feed;
         feed.time = None;
         // FANUC's lead of a thread.
@@ -112,6 +113,8 @@ impl Interpreter {
                 FeedMode::PerRevolution => feed.value = Some(word.value * unit),
                 FeedMode::InverseTime => feed.time = Some(MINUTE / word.value),
             }
+        } else if word.value == 0.0 && self.rules.is_strict {
+            feed.value = None;
         } else {
             self.error(
                 "bad-feed",
@@ -125,6 +128,9 @@ impl Interpreter {
     /// Feed [mm/s] or time [s] of the moves of a block.
     pub(super) fn feed_of_moves(&mut self, block: &Block) -> (Option<f64>, Option<f64>) {
         let feed = self.modal.feed;
+        if self.rules.is_strict && feed.mode != FeedMode::InverseTime && feed.value.is_none() {
+            self.error("missing-feed", "no word has said how fast to feed", block.start(), "");
+        }
         match feed.mode {
             FeedMode::PerMinute => (feed.value, None),
             FeedMode::InverseTime => {

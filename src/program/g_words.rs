@@ -214,8 +214,9 @@ pub(super) fn g_word(tenths: u32) -> Option<GWord> {
 }
 
 impl GWord {
-    /// Words of one group exclude each other; `None` for words that stand alone.
-    pub(super) fn group(self) -> Option<u8> {
+    /// Words of one group exclude each other; `None` for words that stand alone, fewer of which do on
+    /// a control that is strict.
+    pub(super) fn group(self, is_strict: bool) -> Option<u8> {
         match self {
             Self::Motion(_) | Self::Once(_) | Self::SplineFamily => Some(1),
             Self::Plane(_) => Some(2),
@@ -229,8 +230,10 @@ impl GWord {
             Self::Act(Act::System(_)) => Some(12),
             Self::SurfaceSpeed(_) => Some(14),
             Self::Diameter(_) => Some(15),
-            Self::Dwell
-            | Self::EndOfCycle
+            Self::PassedOn(_) if is_strict => Some(13),
+            Self::Dwell | Self::Act(_) if is_strict => Some(0),
+            Self::EndOfCycle
+            | Self::Dwell
             | Self::Harmless
             | Self::PolarInterpolation(_)
             | Self::Act(_)

@@ -48,6 +48,8 @@ pub(super) struct Interpreter {
     pub(super) rules: Rules,
     /// The control has refused to go on.
     pub(super) is_refused: bool,
+    /// The items there were when it did; those that the rest of its block makes do not count.
+    pub(super) made: usize,
     /// Axes that the next move has to state, whatever its block says.
     pub(super) owed: [bool; 3],
     /// Moves that cycles and arcs of several turns have become.
@@ -58,7 +60,7 @@ impl Interpreter {
     pub(super) fn new(rules: Rules) -> Self {
         Self {
             dialect: Dialect::Auto,
-            modal: Modal::new(),
+            modal: Modal::new(rules.is_strict),
             course: Course::new(rules),
             report: Report::default(),
             spline: None,
@@ -66,6 +68,7 @@ impl Interpreter {
             curves: Curves::default(),
             rules,
             is_refused: false,
+            made: usize::MAX,
             owed: [false; 3],
             expanded: 0,
         }
@@ -78,6 +81,11 @@ impl Interpreter {
     }
 
     pub(super) fn block(&mut self, block: &Block) -> Flow {
+        if self.is_refused {
+            return Flow::End;
+        }
+        let before_block = self.course.items.len();
+        self.modal.feed_unit = self.modal.unit();
         let mut words = Words::new(block);
         if block.skippable {
             self.report.push(
@@ -118,7 +126,12 @@ impl Interpreter {
         if self.is_refused {
             return Flow::End;
         }
-        self.pass_on(before, only_comments, block.origin());
+        if demands.length && self.rules.is_strict {
+            self.modal.systems.held = None;
+            self.pass_reset(block, before);
+        } else {
+            self.pass_on(before, only_comments, block.origin());
+        }
         if demands.length {
             self.forget([false, false, true]);
         }
@@ -147,6 +160,11 @@ impl Interpreter {
             return Flow::End;
         }
         self.not_understood(block, &words);
+        if self.is_refused {
+            // Words are looked at before any of them acts.
+            self.made = self.made.min(before_block);
+            return Flow::End;
+        }
         if stops {
             self.course.stop(block.origin());
         }
@@ -169,15 +187,12 @@ impl Interpreter {
         may
     }
 
-    /// The control goes no further: what it is asked for may not be while compensation is on.
+    /// The control goes no further: what it is asked for may not be now.
     pub(super) fn refuse(&mut self, message: &str, origin: Origin) {
-        let hint = "the control stops here, and so does the path";
-        self.error("refused", message, origin, hint);
-        self.finish_spline();
-        self.course.cut_off(&mut self.report);
-        self.is_refused = true;
+        self.error("refused", message, origin, "");
     }
 
+    /// Reports what cannot be done; a control that is strict goes no further.
     pub(super) fn error(
         &mut self,
         code: &'static str,
@@ -185,7 +200,16 @@ impl Interpreter {
         origin: Origin,
         hint: &str,
     ) {
-        self.report.error(code, message, origin, hint);
+        if !self.rules.is_strict {
+            self.report.error(code, message, origin, hint);
+        } else if !self.is_refused {
+            let hint = "the control stops here, and so does the path";
+            self.report.error(code, message, origin, hint);
+            self.is_refused = true;
+            self.finish_spline();
+            self.course.cut_off(&mut self.report);
+            self.made = self.course.items.len();
+        }
     }
 
     pub(super) fn changed_while_on(&mut self, block: &Block, word: &Word, what: &str) {

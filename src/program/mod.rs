@@ -11,6 +11,7 @@
 //! program or at a bound of [`RunOptions`].
 
 mod arcs;
+mod assumed;
 mod auxiliary;
 mod axes;
 mod bezier;
@@ -58,6 +59,7 @@ mod spline_words;
 mod switch;
 mod system;
 mod target;
+mod transforms;
 mod type_points;
 mod words;
 

@@ -28,6 +28,10 @@ pub(super) struct Modal {
     pub(super) wishes: Wishes,
     /// G20.
     pub(super) inches: bool,
+    /// Whether a word said which unit.
+    pub(super) says_unit: bool,
+    /// Length of the unit that the F word of the block counts in [mm].
+    pub(super) feed_unit: f64,
     /// G91.
     pub(super) relative: bool,
     /// G90.1.
@@ -70,16 +74,19 @@ pub(super) struct Modal {
 }
 
 impl Modal {
-    pub(super) fn new() -> Self {
+    /// Those that a control begins with.
+    pub(super) fn new(is_strict: bool) -> Self {
         Self {
             motion: None,
             plane: Plane::Xy,
             wishes: Wishes::default(),
             inches: false,
+            says_unit: false,
+            feed_unit: 1.0,
             relative: false,
             absolute_center: false,
             diameter: false,
-            retract_to_r: false,
+            retract_to_r: is_strict,
             length: false,
             feed: Feed::new(),
             spindle: None,
@@ -102,6 +109,16 @@ impl Modal {
     /// Length of the unit of coordinates [mm].
     pub(super) fn unit(&self) -> f64 {
         if self.inches { INCH } else { 1.0 }
+    }
+
+    /// G20 and G21. The F word of the block comes before it on a control that is strict, where it
+    /// is known which unit it counts in by then.
+    pub(super) fn set_inches(&mut self, inches: bool, is_strict: bool) {
+        self.inches = inches;
+        if !(is_strict && self.says_unit) {
+            self.feed_unit = self.unit();
+        }
+        self.says_unit = true;
     }
 
     /// What the number of the word for axis `i` means [mm].

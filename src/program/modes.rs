@@ -1,8 +1,11 @@
 //! The G words of a block: the modes that they set, and what else they ask for.
 
+use glam::DVec3;
+
 use super::auxiliary::{Auxiliary, append_word, rank, take_as_text, word as text_of};
 use super::block::{Block, Word};
-use super::g_words::{Compensation, GWord, Motion, g_word};
+use super::coordinates::AXES;
+use super::g_words::{Act, Compensation, GWord, Motion, g_word};
 use super::interpret::Interpreter;
 use super::words::{Words, tenths};
 use crate::contour::Plane;
@@ -26,8 +29,12 @@ pub(super) struct Demands<'a> {
     pub(super) length: bool,
     /// The block cannot be turned into moves.
     pub(super) no_move: bool,
-    groups: u16,
+    groups: u32,
 }
+
+/// Stands among the groups of a block for a word that the axis words belong to, as they do to those of
+/// motion.
+const TAKES_AXES: u32 = 1 << 31;
 
 impl Interpreter {
     /// Sets the modes, and collects what else the G words ask for.
@@ -53,6 +60,10 @@ impl Interpreter {
             words.use_up(index);
             self.g_word(block, word, meaning, words, auxiliary, &mut demands);
         }
+        let both = demands.groups & TAKES_AXES != 0 && demands.motion.is_some();
+        if both && self.rules.is_strict {
+            self.refuse("two words of the block use its axes", block.start());
+        }
         demands
     }
 
@@ -65,7 +76,8 @@ impl Interpreter {
         auxiliary: &mut Auxiliary,
         demands: &mut Demands<'a>,
     ) {
-        if let Some(group) = meaning.group() {
+        let strict = self.rules.is_strict;
+        if let Some(group) = meaning.group(strict) {
             if demands.groups >> group & 1 == 1 {
                 self.error(
                     "conflicting-words",
@@ -106,20 +118,18 @@ impl Interpreter {
             GWord::PolarInterpolation(on) => self.polar_interpolation(block, word, on),
             GWord::SplineFamily => demands.family = Some((number, word.column)),
             GWord::EndOfCycle => {
-                // Beside another motion word, as in a safe first line, that one counts.
-                if demands.motion.is_none() {
-                    modal.motion = None;
-                }
+                // Another motion word in the block is what counts.
+                modal.motion = demands.motion;
                 modal.cycle.end();
             }
             GWord::Dwell => demands.dwell = Some(word),
             GWord::Plane(plane) => self.plane(block, word, plane),
-            GWord::Inches(inches) => modal.inches = inches,
+            GWord::Inches(inches) => modal.set_inches(inches, self.rules.is_strict),
             GWord::Relative(relative) => modal.relative = relative,
             GWord::AbsoluteCenter(absolute) => modal.absolute_center = absolute,
             GWord::Diameter(diameter) => modal.diameter = diameter,
             GWord::RetractToR(to_r) => modal.retract_to_r = to_r,
-            GWord::FeedMode(mode) => modal.feed.set_mode(mode),
+            GWord::FeedMode(mode) => modal.feed.set_mode(mode, strict),
             GWord::SurfaceSpeed(on) => {
                 if modal.feed.set_surface_speed(on) {
                     let mut text = text_of('G', word.value);
@@ -132,23 +142,19 @@ impl Interpreter {
             GWord::Compensation(compensation) => demands.compensation = Some((compensation, word)),
             GWord::Length(on) => {
                 // G49 in the first lines of a program ends what was never begun.
-                if on || modal.length {
-                    modal.length = true;
+                if on || modal.length || modal.systems.assumed.tool != DVec3::ZERO {
+                    let text = self.tool_length(word, number, words);
                     demands.length = true;
-                    let mut text = text_of('G', word.value);
-                    take_as_text(words, "H", &mut text);
-                    if number == 431 {
-                        for (i, letter) in ['X', 'Y', 'Z'].into_iter().enumerate() {
-                            if let Some(axis) = words.take(letter) {
-                                let length = self.modal.length_of(i, axis.value);
-                                append_word(&mut text, letter, length);
-                            }
-                        }
-                    }
                     auxiliary.text(rank::LENGTH, text);
                 }
             }
-            GWord::Act(_) => demands.acts = true,
+            GWord::Act(act) => {
+                demands.acts = true;
+                // Motion words stand before or behind it.
+                if matches!(act, Act::SetData | Act::Home | Act::Origin | Act::Local) {
+                    demands.groups |= TAKES_AXES;
+                }
+            }
             GWord::Harmless => {}
             GWord::PassedOn(letters) => {
                 let text = self.lengths(word, letters, words);
@@ -159,6 +165,33 @@ impl Interpreter {
                 demands.no_move = true;
             }
         }
+    }
+
+    /// G43 and its like, and G49.
+    fn tool_length(&mut self, word: &Word, number: u32, words: &mut Words) -> String {
+        let mut text = text_of('G', word.value);
+        let systems = &self.modal.systems;
+        let machine = systems.assumed.machine(systems.active(), self.modal.position);
+        if number == 431 {
+            for (i, letter) in AXES.into_iter().enumerate() {
+                if let Some(axis) = words.take(letter) {
+                    let length = self.modal.length_of(i, axis.value);
+                    self.modal.systems.assumed.tool[i] = length;
+                    append_word(&mut text, letter, length);
+                }
+            }
+        } else {
+            self.modal.systems.assumed.tool = DVec3::ZERO;
+            self.modal.length = true;
+        }
+        if number != 490 || !self.rules.is_strict {
+            take_as_text(words, "H", &mut text);
+        }
+        if self.rules.is_strict {
+            let systems = &self.modal.systems;
+            self.modal.position = systems.assumed.place(systems.active(), machine);
+        }
+        text
     }
 
     /// A G word with lengths.

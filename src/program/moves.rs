@@ -24,6 +24,9 @@ impl Interpreter {
         if motion != Motion::Cubic {
             self.curves.chained = None;
         }
+        if self.rules.is_strict && !self.has_its_words(block, motion, stated, words) {
+            return;
+        }
         if matches!(motion, Motion::Arc { .. } | Motion::Cycle(_)) {
             let (others, _) = self.other_axes(block, words);
             self.pass_on(others, false, block.origin());
@@ -85,6 +88,32 @@ impl Interpreter {
                 self.spline_point(block, motion, stated, words);
             }
         }
+    }
+
+    /// Whether a control that is strict makes the move of a block: not without axes, and of some modes
+    /// not without the word.
+    fn has_its_words(
+        &mut self,
+        block: &Block,
+        motion: Motion,
+        stated: bool,
+        words: &Words,
+    ) -> bool {
+        let others = words.has_any("ABCUVW");
+        if others && matches!(motion, Motion::Cycle(_)) {
+            self.refuse("in a cycle no other axis moves", block.start());
+        }
+        if matches!(motion, Motion::Rapid | Motion::Linear | Motion::Controls) {
+            return true;
+        }
+        let arc = matches!(motion, Motion::Arc { .. });
+        if others || words.has_any("XYZ@^") || arc && stated && words.has_any("IJK") {
+            return !self.is_refused;
+        }
+        if stated {
+            self.error("missing-axes", "the motion word has no axes", block.start(), "");
+        }
+        false
     }
 
     /// What belongs to a move to `to` besides its curve.

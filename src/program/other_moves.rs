@@ -116,6 +116,13 @@ impl Interpreter {
             text.push_str(&others);
         }
         let mut feed = None;
+        if thread && self.rules.is_strict {
+            if self.modal.spindle.is_none() {
+                self.refuse("a thread needs a spindle that turns", block.start());
+            } else if block.words.iter().any(|word| word.letter == 'F') {
+                self.refuse("a thread has its lead (K) and no feed (F)", block.start());
+            }
+        }
         if thread {
             let letter = if self.dialect == Dialect::Fanuc { 'F' } else { 'K' };
             if let Some(lead) = words.take(letter).map(|word| word.value * self.modal.unit()) {
@@ -180,20 +187,31 @@ impl Interpreter {
         self.course.items.extend(moves.into_iter().map(Item::Free));
     }
 
-    /// The numbers of the machine's zero for these axes [mm], where they are known: to a control whose
-    /// origins, unless the program sets them, are taken to be there.
-    pub(super) fn machine_zero(&mut self, block: &Block, axes: [bool; 3]) -> Option<DVec3> {
+    /// The coordinates of the place that is `place` in those of the machine on the axes that are
+    /// named, and `at` on the others [mm]: on a control whose origins, unless the program sets them,
+    /// are taken to be at the machine's zero.
+    pub(super) fn machine_place(
+        &mut self,
+        block: &Block,
+        named: [bool; 3],
+        place: DVec3,
+        at: DVec3,
+    ) -> Option<DVec3> {
         if !self.rules.is_strict {
             return None;
         }
-        let mut zero = DVec3::ZERO;
-        for (i, _) in axes.into_iter().enumerate().filter(|(_, named)| *named) {
-            let turned = self.modal.plane == Plane::Zx && i != 1 || i == 2;
-            zero[i] =
-                self.modal.systems.machine_zero(i).filter(|_| !turned || !self.modal.length)?;
+        for (i, _) in named.into_iter().enumerate().filter(|(_, named)| *named) {
+            let along = self.modal.plane == Plane::Zx && i != 1 || i == 2;
+            if along && self.modal.length {
+                return None;
+            }
         }
+        let systems = &self.modal.systems;
+        let machine = systems.assumed.machine(systems.active(), at);
+        let machine = DVec3::select(BVec3::from_array(named), place, machine);
+        let place = systems.assumed.place(systems.active(), machine);
         if std::mem::replace(&mut self.modal.systems.said, true) {
-            return Some(zero);
+            return Some(place);
         }
         let message = "the places of the machine are those where all origins are at its zero";
         self.report.push(
@@ -201,7 +219,7 @@ impl Interpreter {
                 .with_origin(block.origin())
                 .with_hint("but for those that the program sets; the reference points, too"),
         );
-        Some(zero)
+        Some(place)
     }
 
     /// `LinuxCNC`'s G76: a thread in several passes, which begins and ends where the tool is.
@@ -234,6 +252,9 @@ impl Interpreter {
 
     /// G53: a straight move in the coordinates of the machine.
     pub(super) fn machine(&mut self, block: &Block, word: &Word, words: &mut Words) {
+        if self.rules.is_strict && self.modal.relative {
+            return self.refuse("G53 may not be incremental", block.origin_at(word.column));
+        }
         let motion = match self.modal.motion {
             Some(Motion::Rapid) => "G0",
             Some(Motion::Linear) => "G1",
@@ -271,13 +292,8 @@ impl Interpreter {
         if rotary || named != [false; 3] {
             self.forget(named);
             let from = self.modal.position;
-            let to = self.machine_zero(block, named).map(|zero| pick(named, zero + place, from));
+            let to = self.machine_place(block, named, place, from);
             self.by_words(block, text, from, to.as_slice(), motion == "G0", feed);
         }
     }
-}
-
-/// The coordinates of `a` on the axes that are named, and of `b` on the others.
-pub(super) fn pick(named: [bool; 3], a: DVec3, b: DVec3) -> DVec3 {
-    DVec3::select(BVec3::from_array(named), a, b)
 }

@@ -3,6 +3,9 @@
 /// The highest number of a parameter.
 pub(super) const LAST: u32 = 9_999;
 
+/// The highest in RS274/NGC, as `LinuxCNC` has it.
+pub(super) const LAST_OF_NGC: u32 = 5_601;
+
 /// Parameters that subprograms have of their own: #1 to #30 in RS274/NGC, to #33 with FANUC.
 pub(super) const LOCALS: usize = 34;
 

@@ -18,6 +18,9 @@ use super::reader::Program;
 use super::rules::Rules;
 use crate::diagnostic::{Diagnostic, Origin};
 
+/// Longest line that `LinuxCNC` reads [bytes].
+const LONGEST_LINE: usize = 252;
+
 /// What a program means: its steps in order, and what was found on the way.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Interpretation {
@@ -194,6 +197,7 @@ impl Runner {
         interpreter.finish_spline();
         interpreter.course.end(self.last, &mut interpreter.report);
         interpreter.report.extend(self.outline.diagnostics.iter().cloned());
+        interpreter.course.items.truncate(interpreter.made);
         Interpretation {
             items: self.interpreter.course.into_items(),
             diagnostics: self.interpreter.report.finish(),
@@ -225,8 +229,17 @@ impl Runner {
         if !self.within_bounds() {
             return;
         }
+        if self.options.rules.is_strict && text.trim_ascii().len() > LONGEST_LINE {
+            let message = "the line has more than 252 characters";
+            self.interpreter.error("line-too-long", message, self.block.origin(), "");
+            self.ended = true;
+            return;
+        }
         match mark {
-            Some(mark) if mark.step != Step::Program => self.flow(outline, here, text),
+            Some(mark) if mark.step != Step::Program => {
+                self.flow(outline, here, text);
+                self.ended |= self.interpreter.is_refused;
+            }
             _ => {
                 if mark.is_some() && !self.begins_program(outline, here) {
                     return;

@@ -2,6 +2,8 @@
 //!
 //! What only the machine knows, or the table of tools, has no value here.
 
+use glam::DVec3;
+
 use super::dialect::Dialect;
 use super::feed::FeedMode;
 use super::g_words::Motion;
@@ -13,7 +15,7 @@ impl Interpreter {
     /// A programmed coordinate of the position in the unit of the program, if it was stated.
     fn programmed(&self, axis: usize) -> Option<f64> {
         let modal = &self.modal;
-        let stated = modal.stated.get(axis).copied().unwrap_or_default();
+        let stated = self.rules.is_strict || modal.stated.get(axis).copied().unwrap_or_default();
         let position = modal.frame.unmap(modal.position).to_array();
         position.get(axis).filter(|_| stated).map(|value| value / modal.unit())
     }
@@ -40,12 +42,28 @@ impl Interpreter {
                 _ => None,
             };
         }
+        let (modal, assumed) = (&self.modal, &self.modal.systems.assumed);
         match number {
+            5161..=5163 if self.rules.is_strict => Some(assumed.homes[0][axis(5161)?]),
+            5181..=5183 if self.rules.is_strict => Some(assumed.homes[1][axis(5181)?]),
+            5210 if self.rules.is_strict => Some(f64::from(u8::from(assumed.shift != DVec3::ZERO))),
+            5211..=5213 if self.rules.is_strict => Some(assumed.kept[axis(5211)?]),
+            5220 if self.rules.is_strict => Some(1.0 + modal.systems.active().unwrap_or(0) as f64),
+            5221..=5390 if self.rules.is_strict => {
+                let number = axis(5221)?;
+                let (origin, angle) = assumed.origins.get(number / 20)?;
+                match number % 20 {
+                    axis @ 0..=2 => Some(origin[axis]),
+                    9 => Some(angle.to_degrees()),
+                    _ => Some(0.0),
+                }
+            }
             5220 => self.modal.systems.active().map(|active| 1.0 + active as f64),
             5221..=5383 => {
                 let number = axis(5221)?;
                 self.modal.systems.origin(number / 20, number % 20).map(|origin| origin / unit)
             }
+            5401..=5403 if self.rules.is_strict => Some(assumed.tool[axis(5401)?]),
             5400 => Some(f64::from(self.modal.active_tool())),
             5420..=5422 => self.programmed(axis(5420)?),
             // Whether DEBUG comments are shown.

@@ -52,15 +52,15 @@ fn pecks_go_back_and_begin_a_hundredth_of_an_inch_off() {
         "R 1 0 5",
         "R 1 0 1",
         "1 0 -1.5",
-        "R 1 0 5",
+        "R 1 0 1",
         "R 1 0 -1.246",
         "1 0 -4",
-        "R 1 0 5",
+        "R 1 0 1",
         "R 1 0 -3.746",
         "1 0 -5",
         "R 1 0 5",
     ];
-    assert_eq!(after(1, &deep), expected, "G83 goes out of the hole");
+    assert_eq!(after(1, &deep), expected, "G83 goes back to R, as LinuxCNC does");
     let chips = read_clean(&format!("{start}G73 G99 X1 Z-5 R1 Q3 F60\n"));
     let expected = ["R 1 0 5", "R 1 0 1", "1 0 -2", "R 1 0 -1.746", "1 0 -5", "R 1 0 1"];
     assert_eq!(after(1, &chips), expected, "G73 breaks the chip; the last step ends at the depth");
