@@ -159,6 +159,21 @@ impl ContourBuilder {
         self.events.push(Event { before: self.described.len(), origin, kind });
     }
 
+    /// Adds a segment before what has happened since the last one was added.
+    pub fn insert(&mut self, shape: Shape, attributes: Attributes) {
+        let end = self.described.len();
+        for event in self.events.iter_mut().filter(|event| event.before == end) {
+            event.before += 1;
+        }
+        self.described.push((shape, attributes));
+    }
+
+    /// The last segment, to be changed.
+    #[must_use]
+    pub fn last_mut(&mut self) -> Option<&mut (Shape, Attributes)> {
+        self.described.last_mut()
+    }
+
     /// Lets the lead-out begin where the path meets that along a wall of this direction, which begins at
     /// the end.
     pub fn wall(&mut self, direction: DVec2) {

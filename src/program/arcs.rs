@@ -64,6 +64,10 @@ impl Interpreter {
             self.course.curve(from, shape, attributes, &mut self.report);
             return;
         };
+        if let Some(word) = self.course.asked.take() {
+            word.left_out(None, &mut self.report);
+        }
+        self.course.leave_corner(&mut self.report);
         let [start, end] = attributes.heights;
         let total = TAU * f64::from(turns - 1) + arc.sweep().abs();
         let circle = Shape::Arc { to: from, center: arc.center(), clockwise: arc.is_clockwise() };

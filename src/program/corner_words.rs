@@ -26,6 +26,10 @@ pub(super) struct Wishes {
     modal: Wish,
     /// DISC, 0 to 100.
     disc: u8,
+    /// RNDM: the radius of every corner [mm]; 0 for none.
+    pub(super) rounding: f64,
+    /// FRCM: the feed in roundings and chamfers [mm/min, or mm in one turn]; 0 for none.
+    pub(super) feed: f64,
     /// G39, with the direction in which it says that the next block starts; none where it is zero.
     corner_arc: Option<DVec2>,
 }
@@ -84,6 +88,13 @@ impl Interpreter {
             }
             self.modal.wishes.modal.lead =
                 if word.value == 0.0 { LeadWish::Perpendicular } else { LeadWish::Round };
+        }
+        let unit = self.modal.unit();
+        if let Some(word) = words.take('m') {
+            self.modal.wishes.rounding = word.value * unit;
+        }
+        if let Some(word) = words.take('h') {
+            self.modal.wishes.feed = word.value * unit;
         }
         let Some(word) = words.take('v') else { return };
         let disc = whole(word.value).and_then(|disc| u8::try_from(disc).ok());

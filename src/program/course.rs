@@ -6,6 +6,7 @@
 
 use glam::DVec2;
 
+use super::corner_cuts::{CornerWord, PendingCorner};
 use super::items::{ContourEnd, ContourStart, Item, ProgrammedContour, RadiusSource};
 use super::open::{Open, fault_of, line_of, refuse_arc};
 use super::report::Report;
@@ -32,7 +33,7 @@ pub(super) struct Course {
     pub(super) items: Vec<Item>,
     /// How many segments and events the contours among them have.
     segments: usize,
-    state: State,
+    pub(super) state: State,
     pub(super) rules: Rules,
     /// Compensation was switched off, and no straight move has followed yet.
     needs_a_line: bool,
@@ -40,12 +41,16 @@ pub(super) struct Course {
     pub(super) is_cut_off: bool,
     /// The direction in the plane in which the last move ends, where it is known.
     pub(super) heading: Option<DVec2>,
+    /// What the block at work asks of the corner at its end.
+    pub(super) asked: Option<CornerWord>,
+    /// The corner at the end of the last move, to be cut once the next one is known.
+    pub(super) corner: Option<Box<PendingCorner>>,
     /// Line and first column of the blocks that a contour, or a move, is made of.
     pub(super) columns: Vec<(u32, u32)>,
 }
 
 #[derive(Debug)]
-enum State {
+pub(super) enum State {
     /// No compensation.
     Off,
     /// G41 or G42 was read, its first straight move was not.
@@ -66,6 +71,8 @@ impl Course {
             needs_a_line: false,
             is_cut_off: false,
             heading: None,
+            asked: None,
+            corner: None,
             columns: Vec::new(),
         }
     }
@@ -162,6 +169,7 @@ impl Course {
 
     /// A move along the normal of the plane at `at` [mm].
     pub(super) fn vertical(&mut self, at: DVec2, attributes: Attributes, report: &mut Report) {
+        self.leave_corner(report);
         if self.takes_any_lead() {
             self.line(at, at, attributes, report);
             return;
@@ -193,26 +201,31 @@ impl Course {
     /// A straight move between two points that differ [mm].
     pub(super) fn line(
         &mut self,
-        from: DVec2,
+        mut from: DVec2,
         to: DVec2,
-        attributes: Attributes,
+        mut attributes: Attributes,
         report: &mut Report,
     ) {
-        self.heading = end_heading(from, &Shape::Line { to });
+        let mut shape = Shape::Line { to };
+        if !self.cut_corner(&mut from, &mut shape, &mut attributes, report) {
+            return;
+        }
+        self.heading = end_heading(from, &shape);
+        let corner = self.ends_in_corner(from, &shape, attributes);
         match std::mem::replace(&mut self.state, State::Off) {
-            State::Off => self.free_curve(from, Shape::Line { to }, attributes, report),
+            State::Off => self.free_curve(from, shape, attributes, report),
             State::Waiting(switched) => {
                 let lead_in = Lead { point: from, attributes };
                 self.state = State::On(Open::new(switched, to, Some(lead_in), self.rules));
             }
             State::On(mut open) => {
-                open.segment(Shape::Line { to }, attributes);
+                open.segment(shape.clone(), attributes);
                 if let Some(next) = open.next.take() {
                     // The last block of the one radius is the first of the other.
                     self.close(open, None, ContourEnd::Tapers, report);
                     open = Open::new(next, from, None, self.rules);
                     open.begins = ContourStart::Tapers;
-                    open.segment(Shape::Line { to }, attributes);
+                    open.segment(shape, attributes);
                 }
                 self.state = State::On(open);
             }
@@ -222,16 +235,21 @@ impl Course {
             }
         }
         self.needs_a_line = false;
+        self.wait_in_corner(corner, report);
     }
 
     /// An arc or a spline.
     pub(super) fn curve(
         &mut self,
-        from: DVec2,
-        shape: Shape,
-        attributes: Attributes,
+        mut from: DVec2,
+        mut shape: Shape,
+        mut attributes: Attributes,
         report: &mut Report,
     ) {
+        if !self.cut_corner(&mut from, &mut shape, &mut attributes, report) {
+            return;
+        }
+        let corner = self.ends_in_corner(from, &shape, attributes);
         self.heading = end_heading(from, &shape);
         if let Shape::Bezier { controls } = &shape {
             // A block can make many of them.
@@ -297,6 +315,7 @@ impl Course {
                 self.free_curve(from, shape, attributes, report);
             }
         }
+        self.wait_in_corner(corner, report);
     }
 
     /// G41 or G42 at `at` [mm].
@@ -377,6 +396,7 @@ impl Course {
 
     /// The end of the program, at `origin`: an open contour ends here.
     pub(super) fn end(&mut self, origin: Option<Origin>, report: &mut Report) {
+        self.leave_corner(report);
         match std::mem::replace(&mut self.state, State::Off) {
             State::Off | State::Waiting(_) => {}
             State::Ending(open) => self.close(open, None, ContourEnd::Off, report),

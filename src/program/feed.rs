@@ -89,6 +89,14 @@ impl Feed {
         self.speed
     }
 
+    /// The feed that a number [mm/min, or mm in one turn] is [mm/s], where that is known.
+    pub(super) fn meant_by(&self, value: f64) -> Option<f64> {
+        match self.mode {
+            FeedMode::PerRevolution => self.speed.map(|speed| value * speed),
+            FeedMode::PerMinute | FeedMode::InverseTime => Some(value / MINUTE),
+        }
+    }
+
     /// An S word as programmed.
     pub(super) fn set_speed(&mut self, value: f64) {
         self.speed = (!self.surface_speed).then_some(value.abs() / MINUTE);

@@ -98,6 +98,7 @@ impl Interpreter {
         let mut demands = self.g_words(block, &mut words, &mut auxiliary);
         self.spline_words(&mut words, &mut demands);
         self.corner_names(block, &mut words);
+        self.course.passes_block(block);
         if let Some((tenths, column)) = demands.family {
             self.spline_family(block, tenths, column, &mut words, &mut demands);
         }

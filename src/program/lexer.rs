@@ -140,6 +140,7 @@ impl LineReader<'_> {
                 self.word(b'O');
             }
             b'#' => self.assignment(),
+            b',' if self.comma_word() => {}
             b'[' => {
                 let value = self.value();
                 let nothing =
@@ -155,6 +156,21 @@ impl LineReader<'_> {
             }
             _ => self.unexpected(),
         }
+    }
+
+    /// FANUC's words for corners and for the angle of a line, with a small letter.
+    fn comma_word(&mut self) -> bool {
+        let from = self.cursor.at();
+        self.cursor.skip();
+        if matches!(self.dialect, Dialect::Auto | Dialect::Fanuc)
+            && !self.interpreter.rules.is_strict
+            && let Some(letter @ (b'A' | b'C' | b'R')) = self.cursor.peek()
+        {
+            self.word(letter.to_ascii_lowercase());
+            return true;
+        }
+        self.cursor.set(from);
+        false
     }
 
     fn unexpected(&mut self) {

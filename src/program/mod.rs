@@ -18,6 +18,7 @@ mod bezier;
 mod block;
 mod block_writer;
 mod coordinates;
+mod corner_cuts;
 mod corner_words;
 mod course;
 mod crossing;

@@ -31,6 +31,9 @@ impl Interpreter {
             let (others, _) = self.other_axes(block, words);
             self.pass_on(others, false, block.origin());
         }
+        if matches!(motion, Motion::Rapid | Motion::Linear | Motion::Arc { .. }) {
+            self.ask_of_corner(block, motion == Motion::Rapid, words);
+        }
         match motion {
             Motion::NotSupported(what) => {
                 if stated || words.has_any("XYZIJKRPQ") {
@@ -87,6 +90,9 @@ impl Interpreter {
             Motion::Controls | Motion::Through | Motion::Knots | Motion::Named(_) => {
                 self.spline_point(block, motion, stated, words);
             }
+        }
+        if let Some(word) = self.course.asked.take() {
+            word.left_out(None, &mut self.report);
         }
     }
 

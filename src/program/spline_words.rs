@@ -2,7 +2,8 @@
 //!
 //! The reader gives these words small letters: `s` for ASPLINE, BSPLINE and CSPLINE, `b` and `e`
 //! for how they begin and end, `w` for PW, `l` for PL and `d` for SD; `k` for NORM and KONT and `v`
-//! for DISC, `o` for OFFN, which are no words for splines (`corner_words`).
+//! for DISC, `o` for OFFN, which are no words for splines (`corner_words`), and `r`, `m`, `c`, `f`,
+//! `g` and `h` for RND, RNDM, CHR, CHF, FRC and FRCM (`corner_cuts`).
 
 use glam::{DVec2, DVec3};
 
@@ -35,8 +36,19 @@ pub(super) const NAMES: [(&str, char, f64); 14] = [
 ];
 
 /// Words with a value behind `=`, and their letters.
-pub(super) const ADDRESSES: [(&str, u8); 5] =
-    [("PW", b'w'), ("PL", b'l'), ("SD", b'd'), ("DISC", b'v'), ("OFFN", b'o')];
+pub(super) const ADDRESSES: [(&str, u8); 11] = [
+    ("PW", b'w'),
+    ("PL", b'l'),
+    ("SD", b'd'),
+    ("DISC", b'v'),
+    ("OFFN", b'o'),
+    ("RND", b'r'),
+    ("RNDM", b'm'),
+    ("CHR", b'c'),
+    ("CHF", b'f'),
+    ("FRC", b'g'),
+    ("FRCM", b'h'),
+];
 
 impl Interpreter {
     /// The modes that the words set.

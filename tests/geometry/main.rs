@@ -8,6 +8,7 @@ mod arc_fit;
 mod arcs;
 mod bounds;
 mod chains;
+mod corner_cuts;
 mod flatten;
 mod intersections;
 mod involutes;

@@ -4,6 +4,7 @@
 mod common;
 
 mod bounds;
+mod corner_cuts;
 mod cycles;
 mod expressions;
 mod feeds;
