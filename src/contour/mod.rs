@@ -8,18 +8,18 @@ mod builder;
 mod corner;
 mod plane;
 mod segment;
+mod shape;
 mod tool;
 mod tool_path;
 mod transition;
 mod walls;
 mod wish;
 
-pub use builder::{
-    ARC_TOLERANCE, Built, ContourBuilder, RELATIVE_ARC_TOLERANCE, Shape, SplineShape,
-};
+pub use builder::{Built, ContourBuilder};
 pub use corner::{Corner, CornerKind};
 pub use plane::Plane;
 pub use segment::{Attributes, Contour, Event, EventKind, Lead, Segment};
+pub use shape::{ARC_TOLERANCE, RELATIVE_ARC_TOLERANCE, Shape, SplineShape};
 pub use tool::{Side, Tool};
 pub use tool_path::{
     AuxiliaryWords, Gouge, GougeKind, Move, MoveCurve, PathLoop, Reset, Role, ToolPath, Uncut,

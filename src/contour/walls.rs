@@ -71,15 +71,15 @@ impl Walls {
     /// The walls alone.
     #[must_use]
     pub fn alone(&self, contour: &Contour) -> Contour {
-        let (whole, range) = self.split(contour);
+        let (whole, range) = self.split(contour.clone());
         Contour::of_segments(whole.segments[range].to_vec(), false, [None, None])
     }
 
     /// The contour cut where its walls begin and end, and which of its segments are walls then.
     #[must_use]
-    pub fn split(&self, contour: &Contour) -> (Contour, Range<usize>) {
+    pub fn split(&self, contour: Contour) -> (Contour, Range<usize>) {
         let Self { from, to } = *self;
-        let mut whole = contour.clone();
+        let mut whole = contour;
         let mut range = from.segment + usize::from(from.t >= 1.0)..to.segment;
         if to.t > 0.0 {
             whole.cut(to);

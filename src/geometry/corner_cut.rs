@@ -17,34 +17,24 @@ const ROUNDED: f64 = 1e-6;
 /// Steps that halve the length of the legs of a chamfer: as many as a double has digits.
 const HALVINGS: u32 = 60;
 
-/// What is to be cut off a corner.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum CornerSize {
-    /// A tangent arc of this radius [mm].
-    Radius(f64),
-    /// A straight chamfer between the points of both moves this far from the corner [mm].
-    Legs(f64),
-    /// A straight chamfer of this length [mm] with legs of one length.
-    Length(f64),
+/// How the size of what is cut off a corner is measured.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum CornerMeasure {
+    /// A tangent arc, by its radius.
+    Radius,
+    /// A straight chamfer, by how far both its ends are from the corner.
+    Legs,
+    /// A straight chamfer with legs of one length, by its own.
+    Length,
 }
 
-impl CornerSize {
-    /// The same, larger by a factor.
-    #[must_use]
-    pub fn scaled(self, factor: f64) -> Self {
-        match self {
-            Self::Radius(radius) => Self::Radius(radius * factor),
-            Self::Legs(legs) => Self::Legs(legs * factor),
-            Self::Length(length) => Self::Length(length * factor),
-        }
-    }
-
-    /// The number that it is given by [mm].
-    #[must_use]
-    pub fn value(self) -> f64 {
-        let (Self::Radius(value) | Self::Legs(value) | Self::Length(value)) = self;
-        value
-    }
+/// What is to be cut off a corner.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CornerSize {
+    /// How it is measured.
+    pub measure: CornerMeasure,
+    /// Its size [mm], positive.
+    pub value: f64,
 }
 
 /// What comes of a corner.
@@ -77,12 +67,19 @@ struct Leg {
 }
 
 impl Leg {
-    /// The point at `chord` from the corner, as seen from there; none on circles too small.
-    fn at_chord(&self, chord: f64) -> Option<DVec2> {
+    fn new(curve: &Curve, out: DVec2, normal: DVec2, side: f64) -> Self {
+        let curvature = match curve {
+            Curve::Arc(arc) => side * arc.curvature(),
+            _ => 0.0,
+        };
+        Self { out, normal, curvature, length: curve.length() }
+    }
+
+    /// The point at `chord` from the corner, as seen from there; not a number on circles too small.
+    fn at_chord(&self, chord: f64) -> DVec2 {
         // Half the angle that the chord spans has this sine.
         let sine = 0.5 * self.curvature * chord;
-        let square = 1.0 - sine * sine;
-        (square >= 0.0).then(|| (self.out * square.sqrt() + self.normal * sine) * chord)
+        (self.out * (1.0 - sine * sine).sqrt() + self.normal * sine) * chord
     }
 
     /// How far along the move a point of it is [mm].
@@ -110,84 +107,73 @@ pub fn cut_corner(first: &Curve, second: &Curve, size: CornerSize) -> CornerCut 
         return CornerCut::Tangent;
     }
     let side = angle.signum();
-    let leg = |curve: &Curve, out: DVec2, tangent: DVec2| {
-        let curvature = match curve {
-            Curve::Arc(arc) => side * arc.curvature(),
-            _ => 0.0,
-        };
-        Leg { out, normal: perp(tangent) * side, curvature, length: curve.length() }
-    };
-    let legs = [leg(first, -incoming, incoming), leg(second, outgoing, outgoing)];
-    let made = match size {
-        CornerSize::Radius(radius) => rounding(legs, radius),
-        CornerSize::Legs(chord) => chamfer(legs, chord),
-        CornerSize::Length(length) => chamfer_of(legs, length),
+    let legs = [
+        Leg::new(first, -incoming, perp(incoming) * side, side),
+        Leg::new(second, outgoing, perp(outgoing) * side, side),
+    ];
+    let mut center = DVec2::NAN;
+    let mut ends = match size.measure {
+        CornerMeasure::Radius => rounding(legs, size.value, &mut center),
+        CornerMeasure::Legs => chamfer(legs, size.value),
+        CornerMeasure::Length => chamfer_of(legs, size.value),
     };
     // In a reversal the legs of a chamfer coincide.
-    let Some((ends, center)) = made.filter(|([a, b], _)| a.distance(*b) > ROUNDED) else {
-        return CornerCut::Misfit;
-    };
+    let mut fits = ends[0].distance(ends[1]) > ROUNDED;
+    let corner = first.end();
     let mut rest = [0.0; 2];
     for i in 0..2 {
-        rest[i] = legs[i].length - legs[i].along(ends[i]);
-        // A NaN does not fit either.
-        let fits = rest[i] >= -ROUNDED && rest[i] < legs[i].length;
-        if !fits {
-            return CornerCut::Misfit;
+        let left = legs[i].length - legs[i].along(ends[i]);
+        // What is not a number does not fit.
+        fits &= left >= -ROUNDED && left < legs[i].length;
+        if left > ROUNDED {
+            rest[i] = left;
         }
-        if rest[i] <= ROUNDED {
-            rest[i] = 0.0;
-        }
+        ends[i] += corner;
     }
-    let corner = first.end();
-    CornerCut::Made {
-        ends: ends.map(|end| corner + end),
-        center: center.map(|center| corner + center),
-        clockwise: side < 0.0,
-        rest,
+    if !fits {
+        return CornerCut::Misfit;
     }
+    let center = (size.measure == CornerMeasure::Radius).then(|| corner + center);
+    CornerCut::Made { ends, center, clockwise: side < 0.0, rest }
 }
 
-type Element = ([DVec2; 2], Option<DVec2>);
-
-/// The ends and the centre of a rounding, as seen from the corner.
-fn rounding([first, second]: [Leg; 2], radius: f64) -> Option<Element> {
+/// The ends and the centre of a rounding, as seen from the corner; no numbers where there is none.
+fn rounding([first, second]: [Leg; 2], radius: f64, center: &mut DVec2) -> [DVec2; 2] {
+    // The v whose products with both normals are p and q is (q n1⊥ − p n2⊥) / (n1 × n2).
     let turned = cross(first.normal, second.normal);
-    // The v whose products with both normals are these.
-    let solve = |a: f64, b: f64| (perp(second.normal) * -a + perp(first.normal) * b) / turned;
-    let [a, b] = [solve(radius, radius), solve(first.curvature, second.curvature)];
+    let (one, two) = (perp(first.normal), perp(second.normal));
+    let a = (one - two) * (radius / turned);
+    let b = (one * second.curvature - two * first.curvature) / turned;
     let half = 1.0 - a.dot(b);
     let constant = a.length_squared() - radius * radius;
-    let square = half * half - b.length_squared() * constant;
+    let root = (half * half - b.length_squared() * constant).sqrt();
     // From the corner on, as the radius grows, the roots meet before they change sign.
-    if half.is_nan() || half <= 0.0 || square < 0.0 {
-        return None;
-    }
-    let center = a + b * (constant / (half + square.sqrt()));
+    let w = if half > 0.0 { constant / (half + root) } else { f64::NAN };
+    *center = a + b * w;
     // Where the circles touch, or the circle and the line.
-    let touch = |leg: Leg| (center - leg.normal * radius) / (1.0 - leg.curvature * radius);
-    Some(([touch(first), touch(second)], Some(center)))
+    let touch = |leg: Leg| (*center - leg.normal * radius) / (1.0 - leg.curvature * radius);
+    [touch(first), touch(second)]
 }
 
-/// The ends of a chamfer, as seen from the corner.
-fn chamfer([first, second]: [Leg; 2], chord: f64) -> Option<Element> {
-    Some(([first.at_chord(chord)?, second.at_chord(chord)?], None))
+/// The ends of a chamfer with such legs, as seen from the corner.
+fn chamfer(legs: [Leg; 2], chord: f64) -> [DVec2; 2] {
+    [legs[0].at_chord(chord), legs[1].at_chord(chord)]
 }
 
 /// Those of a chamfer that is this long: it grows with its legs.
-fn chamfer_of(legs: [Leg; 2], length: f64) -> Option<Element> {
+fn chamfer_of(legs: [Leg; 2], length: f64) -> [DVec2; 2] {
+    let is_short = |[a, b]: [DVec2; 2]| a.distance(b) < length;
     let (mut low, mut high) = (0.0, legs[0].length.min(legs[1].length) + ROUNDED);
-    let mut made = None;
+    // One that is still too short does not fit.
+    let mut ends = [DVec2::NAN; 2];
     for _ in 0..HALVINGS {
         let chord = 0.5 * (low + high);
         let found = chamfer(legs, chord);
-        match found {
-            Some(([a, b], _)) if a.distance(b) < length => low = chord,
-            _ => {
-                high = chord;
-                made = found;
-            }
+        if is_short(found) {
+            low = chord;
+        } else {
+            (high, ends) = (chord, found);
         }
     }
-    made
+    ends
 }

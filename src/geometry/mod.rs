@@ -36,7 +36,7 @@ pub use arc::{Arc, RadiusForm};
 pub use arc_fit::{ArcOrLine, fit_arcs};
 pub use bernstein::{halve, roots};
 pub use bounds::Bounds;
-pub use corner_cut::{CornerCut, CornerSize, cut_corner};
+pub use corner_cut::{CornerCut, CornerMeasure, CornerSize, cut_corner};
 pub use cubic::Cubic;
 pub use curve::{Curve, CurveError, MAX_COORDINATE, MIN_LENGTH, in_range};
 pub use decimal::{Decimal, parse_decimal, push_fixed};

@@ -1,16 +1,15 @@
-//! G02 and G03: arcs by centre or radius, in each plane, of several turns and helical.
+//! G02 and G03, and where involutes join them: arcs by centre or radius, in each plane, of several turns and helical.
 
 use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 
-use super::axes::Axes;
 use super::block::{Block, Word};
 use super::interpret::Interpreter;
 use super::number::whole;
 use super::words::Words;
-use crate::contour::{ARC_TOLERANCE, Attributes, Shape};
-use crate::geometry::{Arc, RadiusForm};
+use crate::contour::{Attributes, Shape};
+use crate::geometry::{Curve, CurveError, RadiusForm};
 
 /// Most turns of one arc.
 const MOST_TURNS: u32 = 10_000;
@@ -19,21 +18,27 @@ const MOST_TURNS: u32 = 10_000;
 pub(super) const CENTER: [char; 3] = ['I', 'J', 'K'];
 
 impl Interpreter {
-    /// G02 and G03.
+    /// G02, G03 and, where it is an `involute`, G02.2 and G03.2.
     pub(super) fn arc(
         &mut self,
         block: &Block,
         words: &mut Words,
-        axes: &Axes,
-        to: DVec3,
         clockwise: bool,
+        involute: bool,
     ) {
+        let Some((axes, to)) = self.target(block, words, "IJKR") else { return };
         let attributes = self.attributes(block, false, to);
-        let turns = self.turns(block, words);
-        match self.arc_shape(block, words, to, clockwise) {
+        let clockwise = clockwise != self.modal.frame.flips(attributes.plane);
+        let (turns, shape) = if involute {
+            (1, self.involute_shape(block, words, &axes, to, clockwise))
+        } else {
+            (self.turns(block, words), self.arc_shape(block, words, to, clockwise))
+        };
+        match shape {
             Some(shape) => self.turning(shape, turns, attributes),
-            None => self.line(axes, to, attributes),
+            None => self.line(&axes, to, attributes),
         }
+        self.arrive(&axes, to);
     }
 
     /// The P word: how many turns, full or not.
@@ -51,23 +56,13 @@ impl Interpreter {
     /// The arc after as many full circles as there are turns besides its own.
     fn turning(&mut self, shape: Shape, turns: u32, attributes: Attributes) {
         let from = attributes.plane.split(self.modal.position).0;
-        let arc = match (turns, &shape) {
-            (2.., Shape::Arc { to, center, clockwise }) => {
-                Arc::from_center(from, *to, *center, *clockwise, f64::INFINITY).ok()
-            }
-            (2.., Shape::ArcByRadius { to, radius, form, clockwise }) => {
-                Arc::from_radius(from, *to, *radius, *form, *clockwise, ARC_TOLERANCE).ok()
-            }
-            _ => None,
-        };
-        let Some(arc) = arc else {
+        let arc = if turns > 1 { shape.curve(from, false) } else { Err(CurveError::ZeroLength) };
+        let Ok(Curve::Arc(arc)) = arc else {
             self.course.curve(from, shape, attributes, &mut self.report);
             return;
         };
-        if let Some(word) = self.course.asked.take() {
-            word.left_out(None, &mut self.report);
-        }
         self.course.leave_corner(&mut self.report);
+        self.course.leave_asked(&mut self.report);
         let [start, end] = attributes.heights;
         let total = TAU * f64::from(turns - 1) + arc.sweep().abs();
         let circle = Shape::Arc { to: from, center: arc.center(), clockwise: arc.is_clockwise() };
@@ -109,7 +104,6 @@ impl Interpreter {
             );
         }
         let to = plane.split(to).0;
-        let clockwise = clockwise != self.modal.frame.flips(plane);
         let factor = self.even_factor(block)?;
         if let Some(radius) = radius {
             if let Some(center) = a.or(b) {

@@ -18,13 +18,15 @@ use super::course::{Course, State};
 use super::dialect::Dialect;
 use super::interpret::Interpreter;
 use super::items::{ContourStart, Item};
-use super::open::builder_at;
+use super::lexer::LineReader;
 use super::report::Report;
-use super::rules::{ControlWords, Rules};
+use super::rules::ControlWords;
 use super::words::Words;
-use crate::contour::{Attributes, MoveCurve, Shape};
-use crate::diagnostic::{Diagnostic, Origin};
-use crate::geometry::{Arc, CornerCut, CornerSize, Curve, Decimal, Line, MIN_LENGTH, cut_corner};
+use crate::contour::{Attributes, Shape};
+use crate::diagnostic::{Diagnostic, Origin, Severity};
+use crate::geometry::{
+    CornerCut, CornerMeasure, CornerSize, Curve, Decimal, MIN_LENGTH, cut_corner,
+};
 
 /// Most blocks from the first move of a SINUMERIK corner to the second: three without a move.
 const MOST_BLOCKS: u32 = 4;
@@ -45,19 +47,20 @@ pub(super) struct CornerWord {
     is_modal: bool,
 }
 
+/// Why a corner is left where it is not between two moves as it has to be.
+const ALONE: &str = "the corner is not between moves by G01 to G03 of one contour in one plane";
+
 impl CornerWord {
-    /// Tells that the corner stays as it is, and why, where that is not plain.
-    pub(super) fn left_out(&self, why: Option<&'static str>, report: &mut Report) {
+    /// Tells that the corner stays as it is, and why.
+    fn left_out(&self, why: &'static str, report: &mut Report) {
         if self.is_modal {
             return;
         }
-        let message = why.unwrap_or("no line or arc in the plane on both sides of the corner");
-        let mut found = Diagnostic::error("corner-left", message);
+        let mut found = Diagnostic::error("corner-left", why);
         if self.yields {
-            found = Diagnostic::warning("corner-left", message);
+            found.severity = Severity::Warning;
         }
-        let hint = "the corner stays sharp: no rounding or chamfer is made";
-        report.push(found.with_origin(self.origin).with_hint(hint));
+        report.push(found.with_origin(self.origin).with_hint("it stays sharp"));
     }
 }
 
@@ -67,70 +70,62 @@ pub(super) struct PendingCorner {
     word: CornerWord,
     curve: Curve,
     attributes: Attributes,
-    place: Place,
+    /// How many items there were with its first move, or segments where that is one.
+    count: usize,
     /// Blocks read since, the one that closes it included.
     blocks: u32,
 }
 
-/// Where the course has the first move.
-#[derive(Debug, Clone, Copy, PartialEq)]
-enum Place {
-    /// Among the items.
-    Item(usize),
-    /// Among the segments of the contour that is open.
-    Segment(usize),
-    /// It leads in.
-    LeadIn,
+impl LineReader<'_> {
+    /// FANUC's words for corners and for the angle of a line, with a small letter.
+    pub(super) fn comma_word(&mut self) -> bool {
+        let from = self.cursor.at();
+        self.cursor.skip();
+        if matches!(self.dialect, Dialect::Auto | Dialect::Fanuc)
+            && !self.interpreter.rules.is_strict
+            && let Some(letter @ (b'A' | b'C' | b'R')) = self.cursor.peek()
+        {
+            self.word(letter.to_ascii_lowercase());
+            return true;
+        }
+        self.cursor.set(from);
+        false
+    }
 }
 
 impl Interpreter {
     /// Keeps what the words of a block ask of the corner at the end of its move.
-    pub(super) fn ask_of_corner(&mut self, block: &Block, rapid: bool, words: &mut Words) {
+    pub(super) fn ask_of_corner(&mut self, block: &Block, words: &mut Words) {
         let yields = self.dialect == Dialect::Sinumerik;
         let unit = self.modal.unit();
         let mut asked = None;
-        let mut column = 1;
-        let kinds: [(char, fn(f64) -> CornerSize); 3] =
-            [('r', CornerSize::Radius), ('c', CornerSize::Legs), ('f', CornerSize::Length)];
-        for (letter, kind) in kinds {
+        for (letter, measure) in MEASURES {
             let Some(word) = words.take(letter) else { continue };
-            let fault = if word.value < 0.0 {
-                "the size of a rounding or chamfer is negative"
-            } else if asked.is_some() && !yields {
-                "a corner is rounded or chamfered, not both"
-            } else {
-                ""
-            };
-            if !fault.is_empty() {
-                self.error("bad-corner", fault, block.origin_at(word.column), "it is left out");
+            if word.value < 0.0 || asked.is_some() && !yields {
+                let message = "a corner has one rounding or chamfer of a positive size";
+                self.error("bad-corner", message, block.origin_at(word.column), "it is left out");
             } else if asked.is_none() {
-                column = word.column;
-                asked = Some(kind(word.value * unit));
+                asked = Some((CornerSize { measure, value: word.value * unit }, word.column));
             }
         }
         let is_modal = asked.is_none();
-        if is_modal && !rapid {
-            asked = Some(CornerSize::Radius(self.modal.wishes.rounding));
-        }
+        let rounding =
+            CornerSize { measure: CornerMeasure::Radius, value: self.modal.wishes.rounding };
+        let (mut size, column) = asked.unwrap_or((rounding, 1));
         let feed = words.take('g').map_or(self.modal.wishes.feed, |word| word.value * unit);
-        let Some(size) = asked.filter(|size| size.value() > 0.0) else { return };
-        let word = CornerWord {
-            size: self.even_factor(block).map_or(size, |factor| size.scaled(factor)),
-            feed: if feed > 0.0 { self.modal.feed.meant_by(feed) } else { None },
-            origin: block.origin_at(column),
-            yields,
-            is_modal,
-        };
-        if rapid && !(yields && !matches!(size, CornerSize::Radius(_))) {
-            word.left_out(Some(RAPID), &mut self.report);
-        } else {
-            self.course.asked = Some(word);
+        // What is distorted is no corner of lines and arcs any more; arcs tell so.
+        size.value *= self.modal.frame.factor(self.modal.plane).unwrap_or(1.0);
+        if size.value > 0.0 {
+            let feed = if feed > 0.0 { self.modal.feed.meant_by(feed) } else { None };
+            let origin = block.origin_at(column);
+            self.course.asked = Some(CornerWord { size, feed, origin, yields, is_modal });
         }
     }
 }
 
-/// Why there is nothing beside a rapid move.
-const RAPID: &str = "no rounding or chamfer beside a rapid move (G00)";
+/// The letters of sizes; the first counts.
+const MEASURES: [(char, CornerMeasure); 3] =
+    [('r', CornerMeasure::Radius), ('c', CornerMeasure::Legs), ('f', CornerMeasure::Length)];
 
 impl Course {
     /// Counts a block since the corner that waits, unless it is a dwell or has comments only.
@@ -143,16 +138,31 @@ impl Course {
         }
     }
 
+    /// The corner that waits stays as it is: nothing in the plane follows.
+    pub(super) fn leave_corner(&mut self, report: &mut Report) {
+        if let Some(corner) = self.corner.take() {
+            corner.word.left_out(ALONE, report);
+        }
+    }
+
+    /// The corner that is asked for stays as it is: no move leads to it.
+    pub(super) fn leave_asked(&mut self, report: &mut Report) {
+        if let Some(word) = self.asked.take() {
+            word.left_out(ALONE, report);
+        }
+    }
+
     /// A move that ends in a corner to be cut, before it is made.
     pub(super) fn ends_in_corner(
         &mut self,
         from: DVec2,
         shape: &Shape,
-        attributes: Attributes,
+        attributes: &Attributes,
     ) -> Option<Box<PendingCorner>> {
         let word = self.asked.take()?;
-        let curve = curve_of(from, shape, attributes, self.rules)?;
-        Some(Box::new(PendingCorner { word, curve, attributes, place: Place::LeadIn, blocks: 0 }))
+        let curve = self.line_or_arc(from, shape)?;
+        let attributes = *attributes;
+        Some(Box::new(PendingCorner { word, curve, attributes, count: 0, blocks: 0 }))
     }
 
     /// The move was made: its corner waits for the next one.
@@ -161,32 +171,66 @@ impl Course {
         corner: Option<Box<PendingCorner>>,
         report: &mut Report,
     ) {
-        let Some(mut corner) = corner else { return };
-        let place = match &self.state {
-            State::On(open) if !open.builder.is_empty() => {
-                Some(Place::Segment(open.builder.len() - 1))
-                    .filter(|_| open.begins != ContourStart::Tapers || open.builder.len() > 1)
+        self.corner = corner;
+        let Some(corner) = &mut self.corner else { return };
+        corner.count = match &self.state {
+            // On a move over which the radius changes there are two contours.
+            State::On(open) if open.begins != ContourStart::Tapers || open.builder.len() > 1 => {
+                open.builder.len()
             }
-            State::On(_) => Some(Place::LeadIn),
-            _ if matches!(self.items.last(), Some(Item::Free(_))) => {
-                Some(Place::Item(self.items.len() - 1))
-            }
-            _ => None,
+            State::Off if matches!(self.items.last(), Some(Item::Free(_))) => self.items.len(),
+            _ => return self.leave_corner(report),
         };
-        match place {
-            Some(place) => {
-                corner.place = place;
-                self.corner = Some(corner);
-            }
-            None => corner.word.left_out(Some(SWITCHED), report),
+    }
+
+    /// A line or an arc, where the move is one.
+    fn line_or_arc(&self, from: DVec2, shape: &Shape) -> Option<Curve> {
+        match shape {
+            Shape::Spline(_) | Shape::Bezier { .. } | Shape::Involute { .. } => None,
+            _ => shape.curve(from, self.rules.any_lead).ok(),
         }
     }
 
-    /// The corner that waits stays as it is: nothing in the plane follows.
-    pub(super) fn leave_corner(&mut self, report: &mut Report) {
-        if let Some(corner) = self.corner.take() {
-            corner.word.left_out(None, report);
-        }
+    /// The second move of the corner that waits, where it is one.
+    fn second_of(
+        &self,
+        corner: &PendingCorner,
+        from: DVec2,
+        shape: &Shape,
+        attributes: &Attributes,
+    ) -> Option<Curve> {
+        let PendingCorner { word, curve, attributes: first, count, .. } = corner;
+        let [start, end] = first.heights;
+        let in_plane = start == end
+            && attributes.heights == first.heights
+            && attributes.plane == first.plane
+            && from.distance(curve.end()) < MIN_LENGTH;
+        let bevels = word.yields && word.size.measure != CornerMeasure::Radius;
+        let rapid = first.rapid || attributes.rapid;
+        // FANUC's alarm 39 is for corners where compensation begins or ends.
+        let alarms = !word.yields && self.rules.words == ControlWords::Fanuc;
+        let is_last = match &self.state {
+            State::On(open) | State::Ending(open) => {
+                let leads = *count == 0 || matches!(self.state, State::Ending(_));
+                open.builder.len() == *count
+                    && (*count > 0 || open.lead_in.is_some())
+                    && !(leads && alarms)
+            }
+            State::Off | State::Waiting(_) => {
+                let leads = matches!(self.state, State::Waiting(_));
+                let since = self.items.get(*count..).unwrap_or_default();
+                let only_words = |item: &Item| match item {
+                    Item::Words { reset: None, .. } => true,
+                    Item::Words { words, reset: Some(reset), .. } => {
+                        words.is_empty() && reset.moves == 0
+                    }
+                    _ => false,
+                };
+                *count > 0 && since.iter().all(only_words) && !(leads && alarms)
+            }
+        };
+        let may_be = in_plane && (!rapid || bevels) && is_last;
+        if may_be { self.line_or_arc(from, shape) } else { None }
     }
 
     /// Cuts the corner that waits before a move: shortens both, and makes what is between them. False
@@ -198,201 +242,117 @@ impl Course {
         attributes: &mut Attributes,
         report: &mut Report,
     ) -> bool {
-        let Some(corner) = self.corner.take() else { return true };
-        let PendingCorner { word, curve, attributes: first, place, blocks } = *corner;
-        let [before, after] = [first.heights, attributes.heights];
-        let level = before[0] == before[1] && after == before && attributes.plane == first.plane;
-        let second = curve_of(*from, shape, *attributes, self.rules)
-            .filter(|_| level && from.distance(curve.end()) < MIN_LENGTH);
-        let is_round = matches!(word.size, CornerSize::Radius(_));
-        // A lead keeps its direction, and a move what its next corner takes.
-        let leads = matches!(self.state, State::Waiting(_) | State::Ending(_));
-        // FANUC's alarm 39 is for corners where compensation begins and ends.
-        let fanuc = self.rules.words == ControlWords::Fanuc;
-        let switches = fanuc && (leads || place == Place::LeadIn);
-        let why = if blocks > if word.yields { MOST_BLOCKS } else { 1 } {
-            Some("a block without a move stands between both moves of the corner")
-        } else if (first.rapid || attributes.rapid) && (is_round || !word.yields) {
-            Some(RAPID)
-        } else if switches || !self.has_first(place) {
-            Some(SWITCHED)
-        } else {
-            None
-        };
-        let (Some(second), None) = (second, why) else {
-            word.left_out(why, report);
+        let Some(mut corner) = self.corner.take() else { return true };
+        let word = corner.word;
+        let Some(second) = self.second_of(&corner, *from, shape, attributes) else {
+            word.left_out(ALONE, report);
             return true;
         };
-        let least = [place == Place::LeadIn, leads || self.asked.is_some()];
-        let fits = |factor| match cut_corner(&curve, &second, word.size.scaled(factor)) {
-            CornerCut::Made { rest, .. } if (0..2).any(|i| least[i] && rest[i] == 0.0) => {
-                CornerCut::Misfit
-            }
-            cut => cut,
-        };
-        let mut cut = fits(1.0);
-        if cut == CornerCut::Misfit && word.yields {
-            let (mut low, mut high) = (0.0, 1.0);
-            for _ in 0..HALVINGS {
-                let middle = 0.5 * (low + high);
-                match fits(middle) {
-                    CornerCut::Misfit => high = middle,
-                    found => (low, cut) = (middle, found),
+        if corner.blocks > if word.yields { MOST_BLOCKS } else { 1 } {
+            word.left_out("a block without a move is between both moves of the corner", report);
+            return true;
+        }
+        // A lead keeps its direction, and a move what its next corner takes.
+        let leads = matches!(self.state, State::Waiting(_) | State::Ending(_));
+        let keeps = [corner.count == 0, leads || self.asked.is_some()];
+        let (mut size, mut step, mut cut) = (word.size, word.size.value, None);
+        // What is asked for comes first.
+        for _ in 0..if word.yields { HALVINGS } else { 1 } {
+            step *= 0.5;
+            match cut_corner(&corner.curve, &second, size) {
+                CornerCut::Tangent => return true,
+                CornerCut::Made { ends, center, clockwise, rest }
+                    if (rest[0] > 0.0 || !keeps[0]) && (rest[1] > 0.0 || !keeps[1]) =>
+                {
+                    cut = Some((ends, center, clockwise, rest, size.value));
+                    if size == word.size {
+                        break;
+                    }
+                    size.value += step;
                 }
-            }
-            if low > 0.0 {
-                let message = format!(
-                    "the rounding or chamfer is made smaller, to {} mm",
-                    Decimal::of(word.size.value() * low)
-                );
-                report.warning("corner-reduced", message, word.origin, "more does not fit");
+                _ => size.value -= step,
             }
         }
-        let (ends, center, clockwise, rest) = match cut {
-            CornerCut::Made { ends, center, clockwise, rest } => (ends, center, clockwise, rest),
-            CornerCut::Tangent => return true,
-            CornerCut::Misfit => {
-                word.left_out(Some("the rounding or chamfer does not fit its moves"), report);
-                return true;
-            }
+        let Some(([start, end], center, clockwise, rest, value)) = cut else {
+            word.left_out("the rounding or chamfer is too large for its moves", report);
+            return true;
         };
-        let [start, end] = ends;
+        if value < word.size.value {
+            let message = format!("the corner is cut by {} mm only", Decimal::of(value));
+            report.warning("corner-reduced", message, word.origin, "more does not fit");
+        }
+        let first = &mut corner.attributes;
+        let (like, along) =
+            if word.yields { (&*attributes, &second) } else { (&*first, &corner.curve) };
+        let mut feed = like.time.map_or(like.feed, |time| Some(along.length() / time));
+        if !attributes.rapid {
+            feed = word.feed.or(feed);
+        }
+        let (rapid, wish) = (attributes.rapid, attributes.wish);
+        let made = Attributes { feed, time: None, rapid, wish, ..*first };
         let element = match center {
             Some(center) => Shape::Arc { to: end, center, clockwise },
             None => Shape::Line { to: end },
         };
-        let speed = |of: &Attributes, curve: &Curve| match of.time {
-            Some(time) => Some(curve.length() / time),
-            None => of.feed,
-        };
-        let own = word.feed.filter(|_| !attributes.rapid);
-        let usual = if word.yields { speed(attributes, &second) } else { speed(&first, &curve) };
-        let wish = attributes.wish;
-        let made =
-            Attributes { feed: own.or(usual), time: None, rapid: attributes.rapid, wish, ..first };
-        let part = |of: &Attributes, curve: &Curve, rest: f64| Attributes {
-            time: of.time.map(|time| time * rest / curve.length()),
-            ..*of
-        };
-        let shorter =
-            (rest[0] > 0.0).then(|| (part_of(&curve, start), part(&first, &curve, rest[0])));
-        self.shorten(place, &curve, shorter, (element, made), report);
-        *attributes = part(attributes, &second, rest[1]);
+        first.time = first.time.map(|time| time * rest[0] / corner.curve.length());
+        attributes.time = attributes.time.map(|time| time * rest[1] / second.length());
         *from = end;
-        if let (Curve::Arc(arc), Some(to)) = (&second, shape.end()) {
-            *shape = Shape::Arc { to, center: arc.center(), clockwise: arc.is_clockwise() };
+        if let Some(to) = shape.end() {
+            *shape = ending_at(&second, to);
         }
+        self.shorten(&corner, (rest[0] > 0.0).then_some(start), element, made, report);
         rest[1] > 0.0
     }
 
-    /// Whether the move at `place` is still the last one.
-    fn has_first(&self, place: Place) -> bool {
-        match (place, &self.state) {
-            (Place::Item(item), _) => self.items.iter().skip(item + 1).all(|item| match item {
-                Item::Words { reset: None, .. } => true,
-                Item::Words { words, reset: Some(reset), .. } => {
-                    words.is_empty() && reset.moves == 0
-                }
-                _ => false,
-            }),
-            (Place::Segment(last), State::On(open) | State::Ending(open)) => {
-                open.builder.len() == last + 1
-            }
-            (Place::LeadIn, State::On(open) | State::Ending(open)) => {
-                open.builder.is_empty() && open.lead_in.is_some()
-            }
-            _ => false,
-        }
-    }
-
-    /// Makes the first move shorter, or leaves it out, and puts the element behind it.
+    /// Lets the first move of a corner end at `to`, or leaves it out, and puts the element behind it.
     fn shorten(
         &mut self,
-        place: Place,
-        curve: &Curve,
-        shorter: Option<(Shape, Attributes)>,
-        (element, made): (Shape, Attributes),
+        corner: &PendingCorner,
+        to: Option<DVec2>,
+        element: Shape,
+        made: Attributes,
         report: &mut Report,
     ) {
-        let at = shorter.as_ref().and_then(|(shape, _)| shape.end()).unwrap_or(curve.start());
-        let end = element.end().unwrap_or(at);
-        match (place, &mut self.state) {
-            (Place::Item(index), _) => {
-                for item in self.items.iter_mut().skip(index + 1) {
-                    if let Item::Words { reset: Some(reset), .. } = item {
-                        reset.at = made.plane.place(end, made.heights[1]);
-                    }
-                }
-                let words = self.items.len();
-                self.free_curve(at, element, made, report);
-                if self.items.len() > words {
-                    self.items[index + 1..].rotate_right(1);
-                }
-                match (shorter, self.items.get_mut(index)) {
-                    (Some((shape, _)), Some(Item::Free(step))) => {
-                        if let Some(curve) = as_move(curve.start(), &shape) {
-                            step.curve = curve;
-                        }
-                    }
-                    _ => {
-                        self.items.remove(index);
-                    }
-                }
-            }
-            (Place::Segment(_), State::On(open) | State::Ending(open)) => {
-                match (shorter, open.builder.last_mut()) {
-                    (Some(shorter), Some(last)) => {
-                        *last = shorter;
-                        open.builder.insert(element, made);
-                    }
-                    (_, Some(last)) => *last = (element, made),
-                    _ => {}
-                }
-            }
-            (Place::LeadIn, State::On(open) | State::Ending(open)) => {
+        let PendingCorner { curve, attributes, count, .. } = corner;
+        let at = to.unwrap_or(curve.start());
+        if let State::On(open) | State::Ending(open) = &mut self.state {
+            if *count == 0 {
                 open.start = at;
                 open.builder.move_start(at);
-                if let (Some((_, attributes)), Some(lead)) = (shorter, &mut open.lead_in) {
-                    lead.attributes = attributes;
+                if let Some(lead) = &mut open.lead_in {
+                    lead.attributes = *attributes;
                     open.builder.lead_in(*lead);
                 }
-                open.builder.insert(element, made);
+            } else if let Some(last) = open.builder.last_mut() {
+                if to.is_none() {
+                    *last = (element, made);
+                    return;
+                }
+                *last = (ending_at(curve, at), *attributes);
             }
-            _ => {}
+            open.builder.insert(element, made);
+            return;
         }
+        let mut words = self.items.split_off(*count);
+        let exit = element.end().unwrap_or(at);
+        for item in &mut words {
+            if let Item::Words { reset: Some(reset), .. } = item {
+                reset.at = made.plane.place(exit, made.heights[1]);
+            }
+        }
+        self.items.pop();
+        if to.is_some() {
+            self.free_curve(curve.start(), ending_at(curve, at), *attributes, report);
+        }
+        self.free_curve(at, element, made, report);
+        self.items.append(&mut words);
     }
 }
 
-/// Why there is nothing where the moves do not belong to one contour.
-const SWITCHED: &str = "compensation changes between both moves of the corner, or its place";
-
-/// A line or an arc, where the move is one.
-fn curve_of(from: DVec2, shape: &Shape, attributes: Attributes, rules: Rules) -> Option<Curve> {
-    if !matches!(shape, Shape::Line { .. } | Shape::Arc { .. } | Shape::ArcByRadius { .. }) {
-        return None;
-    }
-    let mut builder = builder_at(from, rules);
-    builder.segment(shape.clone(), attributes);
-    let built = builder.build(false);
-    let contour = built.contour.filter(|_| built.diagnostics.is_empty())?;
-    Some(contour.segments()[0].curve.clone())
-}
-
-/// The part of a line or an arc up to a point on it.
-fn part_of(curve: &Curve, to: DVec2) -> Shape {
+/// A line or an arc as it is described, with another end on it.
+fn ending_at(curve: &Curve, to: DVec2) -> Shape {
     match curve {
         Curve::Arc(arc) => Shape::Arc { to, center: arc.center(), clockwise: arc.is_clockwise() },
         _ => Shape::Line { to },
-    }
-}
-
-/// A line or an arc as a move.
-fn as_move(from: DVec2, shape: &Shape) -> Option<MoveCurve> {
-    match *shape {
-        Shape::Arc { to, center, clockwise } => {
-            Arc::from_center(from, to, center, clockwise, f64::INFINITY).ok().map(MoveCurve::Arc)
-        }
-        Shape::Line { to } => Line::new(from, to).ok().map(MoveCurve::Line),
-        _ => None,
     }
 }

@@ -211,7 +211,7 @@ impl Course {
             return;
         }
         self.heading = end_heading(from, &shape);
-        let corner = self.ends_in_corner(from, &shape, attributes);
+        let corner = self.ends_in_corner(from, &shape, &attributes);
         match std::mem::replace(&mut self.state, State::Off) {
             State::Off => self.free_curve(from, shape, attributes, report),
             State::Waiting(switched) => {
@@ -249,7 +249,7 @@ impl Course {
         if !self.cut_corner(&mut from, &mut shape, &mut attributes, report) {
             return;
         }
-        let corner = self.ends_in_corner(from, &shape, attributes);
+        let corner = self.ends_in_corner(from, &shape, &attributes);
         self.heading = end_heading(from, &shape);
         if let Shape::Bezier { controls } = &shape {
             // A block can make many of them.

@@ -22,17 +22,16 @@ const CUBICS_SHARE: f64 = 0.02;
 const ROUNDED: f64 = 4.0;
 
 impl Interpreter {
-    /// G02.2 and G03.2.
-    pub(super) fn involute(
+    /// The involute as described, `None` where a straight move has to stand in its place.
+    pub(super) fn involute_shape(
         &mut self,
         block: &Block,
         words: &mut Words,
         axes: &Axes,
         to: DVec3,
         clockwise: bool,
-    ) {
-        let attributes = self.attributes(block, false, to);
-        let plane = attributes.plane;
+    ) -> Option<Shape> {
+        let plane = self.modal.plane;
         let [first, second, _] = plane.axes();
         // A word of the third axis is left over, and told so.
         let center = [words.take(CENTER[first]), words.take(CENTER[second])];
@@ -42,19 +41,15 @@ impl Interpreter {
             let hint = "add what is missing; a straight line stands in its place";
             let message = "an involute needs its end, its centre and R";
             self.error("involute-incomplete", message, block.start(), hint);
-            return self.line(axes, to, attributes);
+            return None;
         };
-        let Some(factor) = self.even_factor(block) else {
-            return self.line(axes, to, attributes);
-        };
-        let shape = Shape::Involute {
+        let factor = self.even_factor(block)?;
+        Some(Shape::Involute {
             to: plane.split(to).0,
             center: self.center(center, false),
             radius: radius.value * self.modal.unit() * factor,
-            clockwise: clockwise != self.modal.frame.flips(plane),
-        };
-        let from = plane.split(self.modal.position).0;
-        self.course.curve(from, shape, attributes, &mut self.report);
+            clockwise,
+        })
     }
 }
 

@@ -158,21 +158,6 @@ impl LineReader<'_> {
         }
     }
 
-    /// FANUC's words for corners and for the angle of a line, with a small letter.
-    fn comma_word(&mut self) -> bool {
-        let from = self.cursor.at();
-        self.cursor.skip();
-        if matches!(self.dialect, Dialect::Auto | Dialect::Fanuc)
-            && !self.interpreter.rules.is_strict
-            && let Some(letter @ (b'A' | b'C' | b'R')) = self.cursor.peek()
-        {
-            self.word(letter.to_ascii_lowercase());
-            return true;
-        }
-        self.cursor.set(from);
-        false
-    }
-
     fn unexpected(&mut self) {
         let from = self.cursor.at();
         let text = self.cursor.take_while(|c| {
@@ -269,7 +254,7 @@ impl LineReader<'_> {
         }
     }
 
-    fn word(&mut self, letter: u8) {
+    pub(super) fn word(&mut self, letter: u8) {
         let from = self.cursor.at();
         let point;
         if self.dialect == Dialect::Sinumerik && self.name_word() {

@@ -32,7 +32,7 @@ impl Interpreter {
             self.pass_on(others, false, block.origin());
         }
         if matches!(motion, Motion::Rapid | Motion::Linear | Motion::Arc { .. }) {
-            self.ask_of_corner(block, motion == Motion::Rapid, words);
+            self.ask_of_corner(block, words);
         }
         match motion {
             Motion::NotSupported(what) => {
@@ -68,18 +68,8 @@ impl Interpreter {
                 }
             }
             Motion::Passed(tenths) => self.passed_move(block, tenths, words),
-            Motion::Arc { clockwise } => {
-                if let Some((axes, to)) = self.target(block, words, "IJKR") {
-                    self.arc(block, words, &axes, to, clockwise);
-                    self.arrive(&axes, to);
-                }
-            }
-            Motion::Involute { clockwise } => {
-                if let Some((axes, to)) = self.target(block, words, "IJKR") {
-                    self.involute(block, words, &axes, to, clockwise);
-                    self.arrive(&axes, to);
-                }
-            }
+            Motion::Arc { clockwise } => self.arc(block, words, clockwise, false),
+            Motion::Involute { clockwise } => self.arc(block, words, clockwise, true),
             Motion::Cycle(number) => self.cycle(block, number, words),
             Motion::TypePoints | Motion::Cubic => self.g05(block, words),
             Motion::Quadratic => {
@@ -91,9 +81,7 @@ impl Interpreter {
                 self.spline_point(block, motion, stated, words);
             }
         }
-        if let Some(word) = self.course.asked.take() {
-            word.left_out(None, &mut self.report);
-        }
+        self.course.leave_asked(&mut self.report);
     }
 
     /// Whether a control that is strict makes the move of a block: not without axes, and of some modes

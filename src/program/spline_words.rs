@@ -13,8 +13,8 @@ use super::interpret::Interpreter;
 use super::modes::Demands;
 use super::pending_spline::{Boundary, Family};
 use super::words::Words;
-use crate::contour::{ARC_TOLERANCE, Shape};
-use crate::geometry::{Arc, Involute, RadiusForm, perp};
+use crate::contour::Shape;
+use crate::geometry::{RadiusForm, perp};
 
 /// Words without a number: their letter and the number that stands for them.
 pub(super) const NAMES: [(&str, char, f64); 14] = [
@@ -116,9 +116,11 @@ impl Interpreter {
                     let form = if word.value < 0.0 { RadiusForm::Major } else { RadiusForm::Minor };
                     let radius =
                         word.value.abs() * self.modal.unit() * self.modal.frame.factor(plane)?;
-                    tangent_by_radius(from, to, radius, form, clockwise, 0.0)?
+                    let shape = Shape::ArcByRadius { to, radius, form, clockwise };
+                    shape.curve(from, false).ok()?.tangent(0.0)
                 } else {
-                    around(from - flat(center), clockwise)
+                    let along = perp(from - flat(center));
+                    if clockwise { -along } else { along }
                 }
             }
             _ => return None,
@@ -127,41 +129,16 @@ impl Interpreter {
     }
 }
 
-/// The direction of a turn about a centre, where it is `arm` away [mm].
-fn around(arm: DVec2, clockwise: bool) -> DVec2 {
-    if clockwise { -perp(arm) } else { perp(arm) }
-}
-
-fn tangent_by_radius(
-    from: DVec2,
-    to: DVec2,
-    radius: f64,
-    form: RadiusForm,
-    clockwise: bool,
-    t: f64,
-) -> Option<DVec2> {
-    let arc = Arc::from_radius(from, to, radius, form, clockwise, ARC_TOLERANCE).ok()?;
-    Some(arc.tangent(t))
-}
-
 /// The direction in which a shape ends.
 pub(super) fn end_heading(from: DVec2, shape: &Shape) -> Option<DVec2> {
     let heading = match shape {
         Shape::Line { to } => *to - from,
-        Shape::Arc { to, center, clockwise } => around(*to - *center, *clockwise),
-        Shape::ArcByRadius { to, radius, form, clockwise } => {
-            tangent_by_radius(from, *to, *radius, *form, *clockwise, 1.0)?
-        }
         Shape::Bezier { controls } => match controls[..] {
             [.., before, to] => to - before,
             _ => return None,
         },
-        Shape::Involute { to, center, radius, clockwise } => {
-            let involute =
-                Involute::new(from, *to, *center, *radius, *clockwise, ARC_TOLERANCE).ok()?;
-            involute.tangent(1.0)
-        }
         Shape::Spline(_) => return None,
+        _ => shape.curve(from, false).ok()?.tangent(1.0),
     };
     heading.try_normalize()
 }

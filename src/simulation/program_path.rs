@@ -203,7 +203,7 @@ impl Course {
         } else {
             let mut path = match &walls {
                 Some(walls) if avoids && options.passes == Passes::One => {
-                    let (contour, walls) = walls.split(contour);
+                    let (contour, walls) = walls.split(contour.clone());
                     compensate_beside(&contour, walls, tool, options)
                 }
                 Some(walls) if !avoids => {

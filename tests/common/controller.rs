@@ -71,16 +71,20 @@ pub(crate) fn run(text: &str, steps: u32, radii: f64) -> Run {
         let from = [0, 1, 2].map(|i| if at[i].is_nan() { to[i] } else { at[i] });
         let to = [0, 1, 2].map(|i| if to[i].is_nan() { 0.0 } else { to[i] });
         let from = [0, 1, 2].map(|i| if from[i].is_nan() { to[i] } else { from[i] });
+        let [a, b, _] = plane;
+        let flat = |point: [f64; 3]| [point[a], point[b]];
+        let about = [from[a] + center[a], from[b] + center[b]];
+        let ends = [flat(from), flat(to)];
+        let turn = |clockwise| Turn { ends, center: about, clockwise, tolerance: radii, line };
         for i in 1..=steps {
             let t = f64::from(i) / f64::from(steps);
             let mut point = [0, 1, 2].map(|k| from[k] + (to[k] - from[k]) * t);
             if motion == 2.0 || motion == 3.0 {
-                let [first, second] = arc(from, to, center, plane, motion == 2.0, t, radii, line);
+                let [first, second] = turn(motion == 2.0).arc(t);
                 point[plane[0]] = first;
                 point[plane[1]] = second;
             } else if motion == 2.2 || motion == 3.2 {
-                let [first, second] =
-                    involute(from, to, center, plane, control[0], motion == 2.2, t, radii, line);
+                let [first, second] = turn(motion == 2.2).involute(t, control[0]);
                 point[plane[0]] = first;
                 point[plane[1]] = second;
             } else if motion == 5.0 {
@@ -113,63 +117,58 @@ fn place_words(words: &[(char, f64)]) -> Option<bool> {
     })
 }
 
-#[expect(clippy::too_many_arguments, reason = "all that an arc block is")]
-fn arc(
-    from: [f64; 3],
-    to: [f64; 3],
-    center: [f64; 3],
-    [a, b, _]: [usize; 3],
+/// A block that turns about a centre, in its plane.
+struct Turn<'a> {
+    ends: [[f64; 2]; 2],
+    center: [f64; 2],
     clockwise: bool,
-    t: f64,
+    /// What its ends may be off [mm].
     tolerance: f64,
-    line: &str,
-) -> [f64; 2] {
-    let c = [from[a] + center[a], from[b] + center[b]];
-    let angle = |p: [f64; 3]| (p[b] - c[1]).atan2(p[a] - c[0]);
-    let radius = |p: [f64; 3]| (p[a] - c[0]).hypot(p[b] - c[1]);
-    let mut turn = angle(to) - angle(from);
-    if clockwise && turn >= -1e-12 {
-        turn -= TAU;
-    } else if !clockwise && turn <= 1e-12 {
-        turn += TAU;
-    }
-    let (r0, r1) = (radius(from), radius(to));
-    assert!((r0 - r1).abs() < tolerance, "radii disagree by {}: {line}", (r0 - r1).abs());
-    let (at, r) = (angle(from) + turn * t, r0 + (r1 - r0) * t);
-    [c[0] + r * at.cos(), c[1] + r * at.sin()]
+    line: &'a str,
 }
 
-/// A thread of a circle, as FANUC's manual of the 30i draws it: from its end at the start to that at
-/// the end, what the end is off spread over the way.
-#[expect(clippy::too_many_arguments, reason = "all that an involute block is")]
-fn involute(
-    from: [f64; 3],
-    to: [f64; 3],
-    center: [f64; 3],
-    [a, b, _]: [usize; 3],
-    radius: f64,
-    clockwise: bool,
-    t: f64,
-    tolerance: f64,
-    line: &str,
-) -> [f64; 2] {
-    let c = [from[a] + center[a], from[b] + center[b]];
-    let far = [from, to].map(|p| (p[a] - c[0]).hypot(p[b] - c[1]));
-    assert!(far[0] >= radius && far[1] >= radius, "an end is inside the base circle: {line}");
-    let threads = far.map(|far| (far * far - radius * radius).sqrt() / radius);
-    let sense = if (threads[1] > threads[0]) == clockwise { -1.0 } else { 1.0 };
-    // Where the thread of each end begins to come off.
-    let first = [(from, 0), (to, 1)]
-        .map(|(p, i)| (p[b] - c[1]).atan2(p[a] - c[0]) + sense * (threads[i].atan() - threads[i]));
-    let off = (first[1] - first[0] + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
-    assert!((radius * off).abs() < tolerance, "{} mm off the involute: {line}", radius * off);
-    let thread = threads[0] + (threads[1] - threads[0]) * t;
-    let leaves = first[0] + off * t + sense * thread;
-    let along = sense * thread * radius;
-    [
-        c[0] + radius * leaves.cos() + along * leaves.sin(),
-        c[1] + radius * leaves.sin() - along * leaves.cos(),
-    ]
+impl Turn<'_> {
+    /// Direction and distance of both ends from the centre.
+    fn polar(&self) -> [(f64, f64); 2] {
+        let [x, y] = self.center;
+        self.ends.map(|p| ((p[1] - y).atan2(p[0] - x), (p[0] - x).hypot(p[1] - y)))
+    }
+
+    fn arc(&self, t: f64) -> [f64; 2] {
+        let [(start, r0), (end, r1)] = self.polar();
+        let mut turn = end - start;
+        if self.clockwise && turn >= -1e-12 {
+            turn -= TAU;
+        } else if !self.clockwise && turn <= 1e-12 {
+            turn += TAU;
+        }
+        let off = (r0 - r1).abs();
+        assert!(off < self.tolerance, "radii disagree by {off}: {}", self.line);
+        let (at, r) = (start + turn * t, r0 + (r1 - r0) * t);
+        [self.center[0] + r * at.cos(), self.center[1] + r * at.sin()]
+    }
+
+    /// A thread of a circle, as FANUC's manual of the 30i draws it: from its end at the start to that
+    /// at the end, what the end is off spread over the way.
+    fn involute(&self, t: f64, radius: f64) -> [f64; 2] {
+        let (polar, line) = (self.polar(), self.line);
+        let far = polar.map(|(_, far)| far);
+        assert!(far[0] >= radius && far[1] >= radius, "an end is inside the base circle: {line}");
+        let threads = far.map(|far| (far * far - radius * radius).sqrt() / radius);
+        let sense = if (threads[1] > threads[0]) == self.clockwise { -1.0 } else { 1.0 };
+        // Where the thread of each end begins to come off.
+        let first = [0, 1].map(|i| polar[i].0 + sense * (threads[i].atan() - threads[i]));
+        let off = (first[1] - first[0] + 0.5 * TAU).rem_euclid(TAU) - 0.5 * TAU;
+        let away = (radius * off).abs();
+        assert!(away < self.tolerance, "{away} mm off the involute: {line}");
+        let thread = threads[0] + (threads[1] - threads[0]) * t;
+        let leaves = first[0] + off * t + sense * thread;
+        let along = sense * thread * radius;
+        [
+            self.center[0] + radius * leaves.cos() + along * leaves.sin(),
+            self.center[1] + radius * leaves.sin() - along * leaves.cos(),
+        ]
+    }
 }
 
 /// The code of a line, and its comments with what encloses them.

@@ -2,7 +2,9 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use g41::geometry::{Arc, CornerCut, CornerSize, Curve, Line, cut_corner, perp, rotate, turn};
+use g41::geometry::{
+    Arc, CornerCut, CornerMeasure, CornerSize, Curve, Line, cut_corner, perp, rotate, turn,
+};
 use glam::DVec2;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
@@ -16,6 +18,18 @@ fn line(from: DVec2, to: DVec2) -> Curve {
 
 fn arc(from: DVec2, center: DVec2, sweep: f64) -> Curve {
     Curve::Arc(Arc::from_sweep(from, center, sweep).expect("an arc with a length"))
+}
+
+fn radius(value: f64) -> CornerSize {
+    CornerSize { measure: CornerMeasure::Radius, value }
+}
+
+fn legs(value: f64) -> CornerSize {
+    CornerSize { measure: CornerMeasure::Legs, value }
+}
+
+fn length_of(value: f64) -> CornerSize {
+    CornerSize { measure: CornerMeasure::Length, value }
 }
 
 /// A cut that must have been made: ends, centre, sense, rest.
@@ -36,8 +50,7 @@ fn between_lines_a_rounding_begins_at_radius_times_tangent_of_half_the_turn() {
             let (first, second) =
                 (line(p(-300.0, 0.0), p(0.0, 0.0)), line(p(0.0, 0.0), second * 300.0));
             let back = 2.0 * (0.5 * turned.abs()).tan();
-            let (ends, center, clockwise, rest) =
-                made(cut_corner(&first, &second, CornerSize::Radius(2.0)));
+            let (ends, center, clockwise, rest) = made(cut_corner(&first, &second, radius(2.0)));
             near_point(ends[0], p(-back, 0.0), 1e-11, "start");
             near_point(ends[1], rotate(DVec2::X, turned) * back, 1e-11, "end");
             near_point(center.expect("an arc"), p(-back, side * 2.0), 1e-11, "centre");
@@ -56,8 +69,8 @@ fn a_chamfer_by_its_length_is_one_by_its_legs() {
         let second = line(p(1.0, 2.0), p(1.0, 2.0) + rotate(DVec2::X, turned) * 50.0);
         let first = line(p(-49.0, 2.0), p(1.0, 2.0));
         let length = 6.0 * (0.5 * turned).cos();
-        let by_legs = made(cut_corner(&first, &second, CornerSize::Legs(3.0))).0;
-        let by_length = made(cut_corner(&first, &second, CornerSize::Length(length))).0;
+        let by_legs = made(cut_corner(&first, &second, legs(3.0))).0;
+        let by_length = made(cut_corner(&first, &second, length_of(length))).0;
         near_point(by_legs[0], p(-2.0, 2.0), 1e-12, "leg");
         near(by_legs[0].distance(by_legs[1]), length, 1e-12, "length");
         for i in 0..2 {
@@ -72,7 +85,7 @@ fn roundings_between_lines_and_arcs_have_their_centres_on_both_offsets() {
     // points on the line and at 30/22 of it. This is an example of NCT's manual.
     let quarter = arc(p(30.0, 0.0), p(0.0, 0.0), FRAC_PI_2);
     let along = line(p(0.0, 0.0), p(30.0, 0.0));
-    let (ends, center, clockwise, _) = made(cut_corner(&along, &quarter, CornerSize::Radius(8.0)));
+    let (ends, center, clockwise, _) = made(cut_corner(&along, &quarter, radius(8.0)));
     let expected = p(420.0_f64.sqrt(), 8.0);
     near_point(center.expect("an arc"), expected, 1e-12, "centre");
     near_point(ends[0], p(expected.x, 0.0), 1e-12, "on the line");
@@ -81,7 +94,7 @@ fn roundings_between_lines_and_arcs_have_their_centres_on_both_offsets() {
     // Two circles of 10 about (±6, 0), over the top of both and through the notch at (0, 8).
     let (left, right) = (arc(p(-6.0, 10.0), p(-6.0, 0.0), -(0.6_f64.asin())), p(0.0, 8.0));
     let right = arc(right, p(6.0, 0.0), -(0.6_f64.asin()));
-    let (ends, center, clockwise, _) = made(cut_corner(&left, &right, CornerSize::Radius(5.0)));
+    let (ends, center, clockwise, _) = made(cut_corner(&left, &right, radius(5.0)));
     let expected = p(0.0, (15.0_f64 * 15.0 - 36.0).sqrt());
     near_point(center.expect("an arc"), expected, 1e-12, "centre between both");
     near_point(ends[1], p(6.0, 0.0) + (expected - p(6.0, 0.0)) * (10.0 / 15.0), 1e-12, "touches");
@@ -91,17 +104,17 @@ fn roundings_between_lines_and_arcs_have_their_centres_on_both_offsets() {
 #[test]
 fn a_rounding_may_take_all_of_its_moves_but_no_more() {
     let (first, second) = (line(p(-5.0, 0.0), p(0.0, 0.0)), line(p(0.0, 0.0), p(0.0, 7.0)));
-    let rest = made(cut_corner(&first, &second, CornerSize::Radius(5.0))).3;
+    let rest = made(cut_corner(&first, &second, radius(5.0))).3;
     assert_eq!(rest, [0.0, 2.0], "all of the first");
-    for size in [CornerSize::Radius(5.001), CornerSize::Legs(5.001), CornerSize::Length(7.1)] {
+    for size in [radius(5.001), legs(5.001), length_of(7.1)] {
         assert_eq!(cut_corner(&first, &second, size), CornerCut::Misfit, "{size:?}");
     }
     let within_1_degree = line(p(0.0, 0.0), p(10.0, 0.1));
-    for size in [CornerSize::Radius(1.0), CornerSize::Legs(1.0), CornerSize::Length(1.0)] {
+    for size in [radius(1.0), legs(1.0), length_of(1.0)] {
         assert_eq!(cut_corner(&first, &within_1_degree, size), CornerCut::Tangent, "{size:?}");
     }
     let back = line(p(0.0, 0.0), p(-3.0, 0.0));
-    let reversal = cut_corner(&first, &back, CornerSize::Radius(1.0));
+    let reversal = cut_corner(&first, &back, radius(1.0));
     assert_eq!(reversal, CornerCut::Misfit, "there is no arc in a reversal");
 }
 
@@ -160,21 +173,21 @@ fn roundings_are_where_a_circle_rolled_back_first_touches_the_second_move() {
         let corner = random.point(5.0);
         let first = reversed(&any_curve(&mut random, corner));
         let second = any_curve(&mut random, corner);
-        let radius = random.within(0.05, 12.0);
+        let r = random.within(0.05, 12.0);
         let turned = turn(first.tangent(1.0), second.tangent(0.0));
         if turned.abs() < 0.02 || turned.abs() > 3.1 {
             continue;
         }
-        let expected = by_force(&first, &second, radius, turned.signum());
-        let what = format!("case {case}: {first:?} {second:?} R {radius}");
-        match (cut_corner(&first, &second, CornerSize::Radius(radius)), expected) {
+        let expected = by_force(&first, &second, r, turned.signum());
+        let what = format!("case {case}: {first:?} {second:?} R {r}");
+        match (cut_corner(&first, &second, radius(r)), expected) {
             (CornerCut::Made { ends, center, clockwise, rest }, Some(t)) => {
                 fit += 1;
                 near_point(ends[0], first.point(t), 1e-6, &what);
                 near(rest[0], first.length() * t, 1e-6, &what);
                 let center = center.expect("an arc");
                 for end in ends {
-                    near(end.distance(center), radius, 1e-9, &what);
+                    near(end.distance(center), r, 1e-9, &what);
                 }
                 let at = second.nearest(ends[1]);
                 near_point(at.point, ends[1], 1e-9, &what);
@@ -198,7 +211,7 @@ fn chamfers_between_arcs_have_legs_of_one_length() {
         let first = reversed(&any_curve(&mut random, corner));
         let second = any_curve(&mut random, corner);
         let size = random.within(0.05, 8.0);
-        for size in [CornerSize::Legs(size), CornerSize::Length(size)] {
+        for size in [legs(size), length_of(size)] {
             let what = format!("case {case}: {first:?} {second:?} {size:?}");
             let CornerCut::Made { ends, center, rest, .. } = cut_corner(&first, &second, size)
             else {
@@ -206,13 +219,11 @@ fn chamfers_between_arcs_have_legs_of_one_length() {
             };
             fit += 1;
             assert_eq!(center, None, "{what}");
-            let legs = ends.map(|end| end.distance(corner));
-            near(legs[0], legs[1], 1e-9, &what);
-            let value = match size {
-                CornerSize::Length(_) => ends[0].distance(ends[1]),
-                _ => legs[0],
-            };
-            near(value, size.value(), 1e-9, &what);
+            let between = ends.map(|end| end.distance(corner));
+            near(between[0], between[1], 1e-9, &what);
+            let of_itself = size.measure == CornerMeasure::Length;
+            let value = if of_itself { ends[0].distance(ends[1]) } else { between[0] };
+            near(value, size.value, 1e-9, &what);
             let at = [first.nearest(ends[0]), second.nearest(ends[1])];
             near_point(at[0].point, ends[0], 1e-9, &what);
             near_point(at[1].point, ends[1], 1e-9, &what);
@@ -224,6 +235,6 @@ fn chamfers_between_arcs_have_legs_of_one_length() {
     assert!(fit > 1500, "only {fit} fit");
     let half = arc(p(0.0, 0.0), p(0.0, 5.0), PI);
     let along = line(p(-20.0, 1.0), p(0.0, 0.0));
-    let too_long = cut_corner(&along, &half, CornerSize::Legs(10.1));
+    let too_long = cut_corner(&along, &half, legs(10.1));
     assert_eq!(too_long, CornerCut::Misfit, "no chord of a circle of 5 is 10.1");
 }

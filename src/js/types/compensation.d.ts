@@ -45,7 +45,8 @@ export interface CompensationOptions {
    */
   lead?: "textbook" | "perpendicular" | "intersection" | "extra-move" | "linuxcnc";
   /**
-   * What becomes of places where the tool does not fit. Default `"report"`.
+   * What becomes of places where the tool does not fit. Default `"report"`. Of a contour given as such
+   * all is wall; of one in a program, up to three segments at each end that only run in and out are air.
    *
    * - `"report"`: the path is as a control without a look-ahead would cut it, and `gouges` tells
    *   where it cuts too deep, looked at the whole contour; contours given together, with the same

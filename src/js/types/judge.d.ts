@@ -28,8 +28,9 @@ export interface ProgramCheckOptions {
  * contours that it is of. It shares no code with `compensate`, and asks nothing but distances; free
  * moves and moves along z are not judged, leads are.
  *
- * Several contours are one part: the whole path is held against each. In a program each contour is
- * held against the moves of its own blocks, and one whose tool has no radius against none.
+ * Several contours are one part: the whole path is held against each, and all of each is wall. In a
+ * program each contour is held against the moves of its own blocks, and one whose tool has no radius
+ * against none; there what only runs in and out, up to three segments at each end, is air and no wall.
  *
  * @throws {G41Error} `"bad-argument"` (also for a radius that nothing names), `"disposed"`
  */
