@@ -204,6 +204,8 @@ test("a gouge is told with its place; it is avoided, or nothing is written, as -
   const stopped = await run("--gouge", "stop");
   assert.equal(stopped.code, 1);
   assert.deepEqual(pointsOf(stopped.out), []);
+  const avoided = await run("--gouge", "avoid");
+  assert.match(avoided.err, /^slot\.txt:\d+: info: .* not reached, [\d.]+ mm² in all \(uncut\)$/m);
   const mirrored = await g41(["convert", "corner.ngc", "--radius", "3", "--gouge", "avoid"]);
   assert.deepEqual([mirrored.code, pointsOf(mirrored.out)], [0, centres(3)]);
 });

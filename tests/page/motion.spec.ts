@@ -126,6 +126,21 @@ test("the motion follows the program", async ({ page }) => {
   expect(await time(page, "Cycle time")).toBeGreaterThan(2 * before);
 });
 
+test("a shorter motion takes the player to its end", async ({ page }) => {
+  const g41 = await opened(page, "star");
+  const slider = page.getByRole("slider", { name: "Time" });
+  await slider.focus();
+  await page.keyboard.press("End");
+  const before = await time(page, "Cycle time");
+  await enter(page, "Tool radius in mm", "1");
+  await page.getByLabel("Fastest").check({ force: true });
+  await page.waitForTimeout(300);
+  await planned(page);
+  expect(await time(page, "Cycle time")).toBeLessThan(before);
+  await expect(page.locator(".motion-said").first()).toContainText("mm/min");
+  expect(g41.errors).toEqual([]);
+});
+
 test("the tool plays, pauses, and is taken along by mouse and keys", async ({ page }) => {
   const g41 = await opened(page, "star");
   const slider = page.getByRole("slider", { name: "Time" });

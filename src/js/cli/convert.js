@@ -48,6 +48,8 @@ export async function convert(files, values) {
   const progress = new Progress(text.length, steps);
   /** @type {import("../types.d.ts").Diagnostic[]} */
   let found;
+  /** @type {typeof found} */
+  let uncut = [];
   try {
     progress.next();
     const program = parseProgram(text, parseOptions(values));
@@ -55,6 +57,7 @@ export async function convert(files, values) {
     const path = keeps ? undefined : compensate(program, programOptions(values, tools));
     found = (path ?? program).diagnostics;
     if (path) {
+      uncut = notReached(path.uncut);
       program[Symbol.dispose]?.();
     }
     progress.next();
@@ -70,6 +73,32 @@ export async function convert(files, values) {
   } finally {
     await progress.end();
   }
-  report(nameOf(file), found);
+  report(nameOf(file), [...found, ...uncut]);
   return found.some(({ severity }) => severity === "error") ? exit.faults : exit.fine;
+}
+
+/**
+ * Where gouges are avoided: what the tool does not reach, in one note at the largest of it.
+ *
+ * @param {readonly import("../types.d.ts").Uncut[]} regions
+ * @returns {import("../types.d.ts").Diagnostic[]}
+ */
+function notReached(regions) {
+  const [first, ...others] = regions;
+  if (!first) {
+    return [];
+  }
+  const largest = others.reduce((most, region) => (region.area > most.area ? region : most), first);
+  const area = regions.reduce((sum, region) => sum + region.area, 0);
+  const places = others.length > 0 ? `${regions.length} places are` : "a place is";
+  const origin = largest.segments[0];
+  return [
+    {
+      severity: "info",
+      code: "uncut",
+      message: `${places} not reached, ${Number(area.toPrecision(4))} mm² in all`,
+      hint: "a smaller tool reaches more; the page shows where",
+      ...(origin ? { origin } : {}),
+    },
+  ];
 }

@@ -118,8 +118,12 @@ export class Plots {
     this.#data = data;
     this.#across = across;
     if (isOther || this.#plots.length === 0) this.#window = [0, data.time.length];
+    // What was pointed at, or played, may lie behind the end of a shorter motion.
+    const last = data.time.length - 1;
+    const within = (at?: number) => (at === undefined || last < 0 ? undefined : Math.min(at, last));
+    this.#index = within(this.#index);
     this.#make();
-    this.mark(this.#head);
+    this.mark(within(this.#head));
   }
 
   /** Draws everything in the colours of the style as they are now. */
