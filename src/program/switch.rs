@@ -53,6 +53,16 @@ impl Interpreter {
             Some((Compensation::Off, _)) => {
                 self.read_radius_number(block, number);
                 self.wall(words);
+                let [_, y, z] = self.modal.stated;
+                if self.course.switched().is_some() && self.modal.plane == Plane::Xy && z && !y {
+                    // Controls of lathes begin in G18, and their programs do not say so.
+                    self.report.warning(
+                        "doubtful-plane",
+                        "compensated in the plane of x and y, though no block has stated Y",
+                        origin,
+                        "where it is for a lathe, put G18 into the first block",
+                    );
+                }
                 self.course.switch_off(origin);
                 return;
             }

@@ -74,3 +74,12 @@ fn an_unknown_speed_is_told_once() {
     let codes: Vec<_> = found(&read).iter().map(|f| (f.0, f.2)).collect();
     assert_eq!(codes, [("unknown-speed", 3)], "{:?}", read.diagnostics);
 }
+
+#[test]
+fn a_lathe_program_that_does_not_say_its_plane_is_told() {
+    let text = "G21\nG0 X44 Z5\nG42 D1 G0 X16 Z2\nG1 Z-20 F9\nX30\nG40 G0 X60 Z5\n";
+    let codes: Vec<_> = read(text).diagnostics.iter().map(|d| d.code).collect();
+    assert_eq!(codes, ["doubtful-plane"], "Y is never stated");
+    let said = read(&text.replace("G21", "G21 G18"));
+    assert_eq!(said.diagnostics, [], "with G18 all is well");
+}
