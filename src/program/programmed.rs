@@ -1,16 +1,24 @@
 //! A program as it is programmed: its contours with the words that leave compensation to the control
 //! that will run it.
 
+use glam::DVec2;
+
 use super::arcs::CENTER;
 use super::auxiliary::append_word;
 use super::items::{ContourEnd, Item, ProgrammedContour, RadiusSource};
 use super::number::push_word;
 use super::run::Interpretation;
 use crate::contour::{
-    Attributes, AuxiliaryWords, EventKind, Lead, Move, MoveCurve, Role, Side, ToolPath,
+    Attributes, AuxiliaryWords, CornerWish, EventKind, Lead, Move, MoveCurve, Role, Side, ToolPath,
 };
 use crate::diagnostic::{Diagnostic, Origin};
-use crate::geometry::{Curve, Line};
+use crate::geometry::{Curve, Line, turn};
+
+/// Length of the vector that tells a direction [mm]: rounded to micrometres it is exact enough.
+const VECTOR: f64 = 10.0;
+
+/// Turns below this are no corners [rad].
+const LEAST_TURN: f64 = 0.01;
 
 /// The path of the programmed contours themselves, G41 or G42 before each and G40 behind it, for a
 /// control that compensates itself ([`emit`](super::emit) writes it).
@@ -60,6 +68,7 @@ fn contour(programmed: &ProgrammedContour, path: &mut ToolPath) {
             }
         }
         let Some(segment) = segments.get(index) else { break };
+        corner(programmed, index, path);
         match &segment.curve {
             Curve::Line(line) => {
                 push(path, MoveCurve::Line(*line), Role::Segment, &segment.attributes);
@@ -98,6 +107,40 @@ fn contour(programmed: &ProgrammedContour, path: &mut ToolPath) {
     }
 }
 
+/// What is asked of the corner at the start of a segment: FANUC's G39 asks for an arc.
+fn corner(programmed: &ProgrammedContour, index: usize, path: &mut ToolPath) {
+    let contour = &programmed.contour;
+    let segments = contour.segments();
+    let Attributes { wish, origin, plane, .. } = segments[index].attributes;
+    let before = match index.checked_sub(1) {
+        Some(before) => segments[before].curve.tangent(1.0),
+        None => contour.lead_in().map_or(DVec2::ZERO, |lead| contour.start() - lead.point),
+    };
+    let along = segments[index].curve.tangent(0.0);
+    let left = programmed.side == Side::Left;
+    let turned = if left { -turn(before, along) } else { turn(before, along) };
+    // Only outside corners are gone round.
+    if turned < LEAST_TURN {
+        return;
+    }
+    match wish.corner {
+        CornerWish::AsChosen | CornerWish::Linear => {}
+        CornerWish::Arc => {
+            let mut text = String::from("G39");
+            let [first, second, _] = plane.axes();
+            append_word(&mut text, CENTER[first], VECTOR * along.x);
+            append_word(&mut text, CENTER[second], VECTOR * along.y);
+            words(path, text, origin);
+        }
+        CornerWish::Conic(_) | CornerWish::Intersection => {
+            let message = "how the corner is gone round (G450, G451) is left out";
+            let hint = "the control does it in its own way";
+            let found = Diagnostic::warning("left-out", message);
+            path.diagnostics.push(found.with_origin(origin).with_hint(hint));
+        }
+    }
+}
+
 /// The words that switch compensation on.
 fn switch_on(programmed: &ProgrammedContour) -> String {
     let left = programmed.side == Side::Left;
@@ -123,7 +166,7 @@ fn lead_move<E>(
     path: &mut ToolPath,
     lead: &Lead,
     role: Role,
-    line: impl Fn(glam::DVec2) -> Result<Line, E>,
+    line: impl Fn(DVec2) -> Result<Line, E>,
 ) {
     let curve = line(lead.point).map_or(MoveCurve::Vertical(lead.point), MoveCurve::Line);
     push(path, curve, role, &lead.attributes);

@@ -4,8 +4,8 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use crate::common::{near, near_point, p};
 use g41::compensation::{LeadStyle, Options};
-use g41::contour::{MoveCurve, Role};
-use g41::program::{EmitOptions, emit, programmed_path};
+use g41::contour::{Contour, CornerWish, MoveCurve, Role};
+use g41::program::{EmitOptions, Interpretation, Item, Target, emit, programmed_path};
 use g41::simulation::{ListedTool, Profile, ToolSize, Tools, check_program, compensate_program};
 use glam::DVec2;
 
@@ -216,4 +216,46 @@ fn g40_with_a_vector_leads_out_from_where_the_path_meets_that_along_a_wall() {
     )
     .text;
     assert!(text.contains("G40 I10. J10. X60. Y60."), "kept for a control that has it: {text}");
+}
+
+#[test]
+fn corner_arcs_are_asked_for_of_a_control_that_compensates_itself() {
+    let text = square(["", "", "G39 I10 J0\n", ""]);
+    let program = read(&text, Profile::Fanuc);
+    let kept = programmed_path(&program);
+    for target in [Target::Fanuc0M, Target::Fanuc6M, Target::Fanuc30I] {
+        let written = emit(&kept, &EmitOptions { target, ..EmitOptions::default() });
+        let asked = written.text.lines().filter(|line| line.contains("G39")).count();
+        assert_eq!(asked, 1, "of one corner:\n{}", written.text);
+        let again = read(&written.text, Profile::Fanuc);
+        let wishes = |read: &Interpretation| -> Vec<CornerWish> {
+            let contours = read.items.iter().filter_map(|item| match item {
+                Item::Contour(found) => Some(&found.contour),
+                _ => None,
+            });
+            contours.flat_map(Contour::segments).map(|s| s.attributes.wish.corner).collect()
+        };
+        assert_eq!(wishes(&again), wishes(&program), "{target:?}:\n{}", written.text);
+        assert!(wishes(&again).contains(&CornerWish::Arc), "asked for: {}", written.text);
+    }
+    // Where the control does not know it, it is told.
+    let grbl = emit(&kept, &EmitOptions::default());
+    assert!(grbl.diagnostics.iter().any(|found| found.message.contains("G39")), "{grbl:?}");
+}
+
+#[test]
+fn a_rounded_corner_outside_has_the_radius_and_that_of_the_tool() {
+    // The tool of 2 mm on the left, outside; then on the right, where it must fit into the corner.
+    let text = square(["", "", "", ""]).replace("Y30\n", "Y30 ,R5\n").replace("X30\n", "X30 ,C4\n");
+    for (side, radius) in [("G41", 7.0), ("G42", 3.0)] {
+        let path = path_of(&text.replace("G41", side), Profile::Fanuc);
+        let round = path.moves.iter().find_map(|step| match step.curve {
+            MoveCurve::Arc(arc) if step.role == Role::Segment => Some(arc),
+            _ => None,
+        });
+        let round = round.expect("the rounding is a segment");
+        near(round.radius(), radius, 1e-9, side);
+        near_point(round.center(), p(5.0, 25.0), 1e-9, side);
+        assert_eq!(codes(&path), [""; 0], "{side}: {:?}", path.diagnostics);
+    }
 }
