@@ -29,7 +29,7 @@ export async function benchDrag() {
   const browser = await chromium.launch({ executablePath: findBrowser(), args: browserFlags });
   console.log("\none step of a drag in Chromium, wave of n type points, tolerance 1e-3 mm:");
   console.log(
-    "policy    radius        n   median      99 %      worst   vertices  made in   memory",
+    "policy    radius        n     median       99 %      worst   99 % of as long idle   made in      memory",
   );
   try {
     for (const [gouge, radius] of [
