@@ -27,6 +27,8 @@ main(async () => {
   await check("formatting (rustfmt)", "cargo", ["fmt", "--all", "--check"]);
   await check("lints (clippy, native)", "cargo", clippy(...core, "--all-targets"));
   await check("lints (clippy, wasm)", "cargo", clippy("--all-targets", ...onWasm));
+  const contours = ["--lib", "--target", wasmTarget, "--features", "contour-js"];
+  await check("lints (clippy, contours alone)", "cargo", clippy(...contours));
   await check("documentation", "cargo", ["doc", ...locked, "--quiet", "--no-deps"], strict);
   await check("formatting and lints (Biome)", node, [
     script("@biomejs/biome", "biome"),

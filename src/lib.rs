@@ -66,7 +66,7 @@
 //!
 //! | floor | modules | what they must not know |
 //! | --- | --- | --- |
-//! | 6 | `js` (feature `js`) | nothing hidden: it converts, calls, converts |
+//! | 6 | `js` (features `js`, `contour-js`) | nothing hidden: it converts, calls, converts |
 //! | 5 | [`simulation`] | the text of a program |
 //! | 4 | [`program`], [`compensation`], [`gouge`], [`motion`] | each other; `compensation` knows no G-code, `gouge` judges its paths without sharing its code, and `motion` asks no path where it came from |
 //! | 3 | [`contour`] | how a contour becomes a path |
@@ -97,7 +97,7 @@ pub mod contour;
 pub mod diagnostic;
 pub mod geometry;
 pub mod gouge;
-#[cfg(feature = "js")]
+#[cfg(feature = "contour-js")]
 pub mod js;
 pub mod motion;
 pub mod program;

@@ -7,6 +7,8 @@ let state = "absent";
 let loading;
 /** Counts the fresh starts, since a handle does not outlive the instance that it belongs to. */
 let generation = 0;
+/** Whether what was loaded knows programs, G-code and motion, or contours alone. */
+let isWhole = true;
 
 /** @typedef {typeof glue} Glue */
 /** @typedef {import("./types.d.ts").G41Error["code"]} Code */
@@ -41,20 +43,30 @@ export function initialiser(load) {
     }
     loading ??= load(source);
     if (!(loading instanceof Promise)) {
-      state = "ready";
+      begin(loading);
       return Promise.resolve();
     }
-    return loading.then(
-      () => {
-        state = "ready";
-      },
-      (error) => {
-        // A failed download may be tried again.
-        loading = undefined;
-        throw error;
-      },
-    );
+    return loading.then(begin, (error) => {
+      // A failed download may be tried again.
+      loading = undefined;
+      throw error;
+    });
   };
+}
+
+/** @param {any} exported by the WebAssembly */
+function begin(exported) {
+  isWhole = "planMotion" in exported;
+  state = "ready";
+}
+
+/** Refuses what the WebAssembly of `g41/contour` leaves out. */
+export function needWhole() {
+  call(() => {
+    if (!isWhole) {
+      throw coded("not-supported", 'programs, G-code and motion: import "g41" for "g41/contour"');
+    }
+  });
 }
 
 /**

@@ -4,9 +4,9 @@ import { readFileSync } from "node:fs";
 import { initSync } from "./g41.js";
 import { initialiser } from "./lifecycle.js";
 
-const init = initialiser(() => {
-  initSync({ module: readFileSync(new URL("./g41_bg.wasm", import.meta.url)) });
-});
+const init = initialiser(() =>
+  initSync({ module: readFileSync(new URL("./g41_bg.wasm", import.meta.url)) }),
+);
 init();
 
 export * from "./api.js";

@@ -1,6 +1,6 @@
 // Long work in slices, so that whoever asks for it can tell how far it is, or stop it.
 import { bad } from "./check.js";
-import { call, Handle } from "./lifecycle.js";
+import { call, Handle, needWhole } from "./lifecycle.js";
 import { parseOptions, programOptions } from "./options.js";
 import { Program, useProgram } from "./program.js";
 import { ToolPath } from "./tool_path.js";
@@ -21,7 +21,7 @@ export class ProgramReader {
    * @param {unknown} [options]
    */
   constructor(text, options) {
-    call(() => {});
+    needWhole();
     if (typeof text !== "string") {
       bad(() => "text", "be a string");
     }

@@ -5,6 +5,7 @@ use std::rc::Rc;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::argument::BadArgument;
+#[cfg(feature = "js")]
 use super::emit_settings::EmitSettings;
 use super::move_records::move_records;
 use super::names::List;
@@ -87,6 +88,7 @@ impl ToolPathHandle {
     }
 
     /// `[text, diagnostics as JSON]` of the path as a program.
+    #[cfg(feature = "js")]
     #[must_use]
     pub fn emit(&self, settings: EmitSettings) -> Vec<String> {
         settings.write(&self.path, &self.numbering)

@@ -9,7 +9,9 @@ import { answer, packed, page, program, runNode, shownBy } from "./consumer.mjs"
 const project = packed();
 const show = `document.querySelector("output").textContent = answer;`;
 
-for (const entry of ["g41", "g41/inline"]) {
+const files = { g41: "web.js", "g41/inline": "inline.js", "g41/contour": "contour.js" };
+
+for (const [entry, file] of Object.entries(files)) {
   const imports = `import init, { compensate } from "${entry}";`;
 
   test(`${entry} is imported by Node`, async () => {
@@ -35,7 +37,6 @@ for (const entry of ["g41", "g41/inline"]) {
   });
 
   test(`${entry} is imported by a browser through an import map`, async () => {
-    const file = entry === "g41" ? "web.js" : "inline.js";
     const map = { imports: { [entry]: `./node_modules/g41/dist/${file}` } };
     const home = project("browser", {
       "index.html": page(
@@ -46,3 +47,23 @@ for (const entry of ["g41", "g41/inline"]) {
     assert.equal(await shownBy(home), answer);
   });
 }
+
+test("g41/contour says where what it leaves out is to be had", async () => {
+  const map = { imports: { "g41/contour": "./node_modules/g41/dist/contour.js" } };
+  const leftOut = ["path.gcode()", "path.plan({})", "path.emit()"].map(
+    (call) => `try { ${call}; } catch ({ code }) { codes.push(code); }`,
+  );
+  const home = project("contour", {
+    "index.html": page(
+      `<script type="module">import init, { check, compensate } from "g41/contour";
+${program}
+const codes = [];
+${leftOut.join("\n")}
+const wall = { start: [0, 0], segments: [{ kind: "line", to: [10, 0] }] };
+const gouges = check(wall, compensate(wall, { side: "left", radius: 2 }), { radius: 2 });
+document.querySelector("output").textContent = [...codes, gouges.length].join(" ");</script>`,
+      `<script type="importmap">${JSON.stringify(map)}</script>`,
+    ),
+  });
+  assert.equal(await shownBy(home), "not-supported not-supported not-supported 0");
+});

@@ -31,6 +31,7 @@ for (const [module, moduleResolution] of [
       "package.json": `{ "type": "module" }`,
       "main.ts": `import init, { check, compensate, type ContourOptions, type Gouge } from "g41";
 import same from "g41/inline";
+import less, { flatten } from "g41/contour";
 ${program}
 export const text: string = answer;
 const options: ContourOptions = { side: "left", radius: 2, gouge: "avoid" };
@@ -45,7 +46,8 @@ compensate(wall, { ...options, gouge: "ignore" });
 check(wall, avoided.moves, { radius: 2 });
 // @ts-expect-error: a misspelt function is found
 init.nothing();
-export const inits: (typeof init)[] = [init, same];`,
+export const inits: (typeof init)[] = [init, same, less];
+export const drawn: Float64Array = flatten(wall).points;`,
       "tsconfig.json": JSON.stringify({
         compilerOptions: { ...compilerOptions, module, moduleResolution },
       }),
