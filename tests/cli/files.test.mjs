@@ -81,6 +81,10 @@ test("a text that is not UTF-8 comes out as it went in", async () => {
   const utf8 = await g41(["convert", "-", ...radius], { input: `\ufeff(Fr\u00e4ser)\n${corner}` });
   assert.deepEqual([utf8.code, utf8.err], [0, ""]);
   assert.match(utf8.out, /\(Fr\u00e4ser\)/);
+  const wide = Buffer.from(`\ufeff(Fr\u00e4ser)\n${corner}`, "utf16le");
+  writeFileSync(path("wide.ngc"), wide);
+  const utf16 = await g41(["convert", "wide.ngc", ...radius]);
+  assert.deepEqual([utf16.code, utf16.out], [0, utf8.out]);
 });
 
 test("who reads standard output may stop reading", async () => {

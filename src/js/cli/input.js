@@ -19,6 +19,10 @@ export const standardInput = "-";
 export async function readText(path) {
   try {
     const bytes = await (path === standardInput ? buffer(process.stdin) : readFile(path));
+    // Editors of Windows call this Unicode.
+    if (bytes[0] === 0xff && bytes[1] === 0xfe) {
+      return { text: new TextDecoder("utf-16le").decode(bytes), encoding: "utf8" };
+    }
     try {
       return { text: new TextDecoder("utf-8", { fatal: true }).decode(bytes), encoding: "utf8" };
     } catch (error) {
