@@ -34,6 +34,9 @@ const MOST_BLOCKS: u32 = 4;
 /// Halvings of what is taken off an element that does not fit: to a millionth of it.
 const HALVINGS: u32 = 20;
 
+/// The smallest element that one is made to fit by [mm]: the last digit of most controls.
+const LEAST: f64 = 1e-3;
+
 /// What a block asks of the corner at its end.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct CornerWord {
@@ -113,12 +116,20 @@ impl Interpreter {
             CornerSize { measure: CornerMeasure::Radius, value: self.modal.wishes.rounding };
         let (mut size, column) = asked.unwrap_or((rounding, 1));
         let feed = words.take('g').map_or(self.modal.wishes.feed, |word| word.value * unit);
-        // What is distorted is no corner of lines and arcs any more; arcs tell so.
-        size.value *= self.modal.frame.factor(self.modal.plane).unwrap_or(1.0);
         if size.value > 0.0 {
             let feed = if feed > 0.0 { self.modal.feed.meant_by(feed) } else { None };
+            let factor = self.modal.frame.factor(self.modal.plane);
+            size.value *= factor.unwrap_or(1.0);
             let origin = block.origin_at(column);
-            self.course.asked = Some(CornerWord { size, feed, origin, yields, is_modal });
+            let word = CornerWord { size, feed, origin, yields, is_modal };
+            if factor.is_some() {
+                self.course.asked = Some(word);
+            } else {
+                word.left_out(
+                    "scaling makes the rounding or chamfer another curve",
+                    &mut self.report,
+                );
+            }
         }
     }
 }
@@ -262,7 +273,9 @@ impl Course {
             match cut_corner(&corner.curve, &second, size) {
                 CornerCut::Tangent => return true,
                 CornerCut::Made { ends, center, clockwise, rest }
-                    if (rest[0] > 0.0 || !keeps[0]) && (rest[1] > 0.0 || !keeps[1]) =>
+                    if (rest[0] > 0.0 || !keeps[0])
+                        && (rest[1] > 0.0 || !keeps[1])
+                        && size.value >= LEAST.min(word.size.value) =>
                 {
                     cut = Some((ends, center, clockwise, rest, size.value));
                     if size == word.size {

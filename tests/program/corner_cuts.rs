@@ -306,6 +306,8 @@ fn a_corner_that_cannot_be_stays_and_is_told_with_its_place() {
         );
         assert_eq!(read.diagnostics.len(), 1, "{text}{:?}", read.diagnostics);
     }
+    let scaled = codes("G0 X5 Y5\nG51 X0 Y0 I2. J3.\nG1 X20 F100 ,C2\nY20\n", Dialect::Fanuc);
+    assert_eq!(scaled, ["corner-left"], "unevenly scaled it is another curve");
     assert!(
         codes("G1 X20 F100 ,R2\nY20\n", Dialect::LinuxCnc).contains(&"unexpected-character"),
         "LinuxCNC has no such words"
@@ -329,6 +331,8 @@ fn sinumerik_makes_smaller_what_does_not_fit() {
         .collect();
     near(radii[0], 8.0, 1e-9, "as programmed");
     near(radii[1], 2.0, 1e-4, "what was left");
+    let found = codes("G0 X5 Y5\nG1 X20 F100 RND=30\nY15 CHF=4\nX0\n", Dialect::Sinumerik);
+    assert_eq!(found, ["corner-reduced", "corner-left"], "nothing is left for the second");
 }
 
 #[test]
