@@ -27,6 +27,8 @@ const MOST: u32 = 10_000;
 pub(super) struct CycleNumbers {
     /// The cycle they were given for; none once it has ended.
     number: Option<u32>,
+    /// Whether a block of a cycle was before.
+    again: bool,
     /// The height at which the cycle began, as programmed [mm].
     initial: f64,
     /// R and the depth, as programmed [mm].
@@ -81,6 +83,7 @@ impl Interpreter {
             self.modal.cycle = CycleNumbers { initial, ..CycleNumbers::default() };
         }
         self.modal.cycle.number = Some(number);
+        self.modal.cycle.again = before.number.is_some();
         let repeats = self.cycle_numbers(block, number, words);
         let depth = words.take(AXES[normal]);
         if let Some(depth) = depth {
@@ -162,7 +165,7 @@ impl Interpreter {
             self.modal.cycle.step = Some(word.value * unit);
         }
         // K repeats on newer FANUC controls; in other cycles than G76 and G87 it is nothing else.
-        let mut repeats = words.take('L');
+        let mut repeats = if strict && number == 74 { None } else { words.take('L') };
         if matches!(number, 76 | 87) {
             for (i, letter) in ['I', 'J', 'K'].into_iter().enumerate() {
                 if let Some(word) = words.take(letter) {
@@ -233,6 +236,8 @@ impl Interpreter {
         let mut down = Axes::default();
         down.words[normal] = depth.or(block.words.first());
         let mut height = start[normal];
+        // A control that is strict goes straight from hole to hole, whatever the height of both.
+        let again = self.rules.is_strict && self.modal.cycle.again;
         if !known {
             self.report.warning(
                 "unknown-start",
@@ -240,10 +245,13 @@ impl Interpreter {
                 block.start(),
                 "its holes are left at R; state the height before",
             );
-        } else if height < retract && !back {
+        } else if (if again { initial } else { height }) < retract && !back {
             // Never across below the level R.
             height = retract;
             self.cycle_to(block, &down, start, height, true);
+        }
+        if again {
+            height = height.max(clear);
         }
         if self.rules.is_strict && self.lacks_words(block, number) {
             return;

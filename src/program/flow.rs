@@ -79,6 +79,7 @@ impl Runner {
                 }
             }
             Step::EndRepeat => self.repeat(outline, partner),
+            Step::Break | Step::Continue if self.breaks_repeat(outline, partner) => {}
             Step::Break => {
                 if let Some(start) = partner {
                     self.forget_repetition(start);
@@ -176,6 +177,18 @@ impl Runner {
             self.jump_behind(outline, branch);
             return;
         }
+    }
+
+    /// Whether break or continue stands in a repeat, where a control that is strict has none.
+    fn breaks_repeat(&mut self, outline: &Outline, start: Option<usize>) -> bool {
+        let mark = start.and_then(|index| outline.marks.get(index));
+        let breaks =
+            self.options.rules.is_strict && mark.is_some_and(|mark| mark.step == Step::Repeat);
+        if breaks {
+            let origin = self.block.origin_at(1);
+            self.interpreter.refuse("break and continue are for while and do", origin);
+        }
+        breaks
     }
 
     fn forget_repetition(&mut self, mark: usize) {

@@ -131,7 +131,8 @@ impl Interpreter {
             GWord::RetractToR(to_r) => modal.retract_to_r = to_r,
             GWord::FeedMode(mode) => modal.feed.set_mode(mode, strict),
             GWord::SurfaceSpeed(on) => {
-                if modal.feed.set_surface_speed(on) {
+                // With D the same word sets another limit.
+                if modal.feed.set_surface_speed(on) || on {
                     let mut text = text_of('G', word.value);
                     if on {
                         take_as_text(words, "D", &mut text);
