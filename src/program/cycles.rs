@@ -232,7 +232,7 @@ impl Interpreter {
         }
         let initial = self.modal.cycle.initial;
         let clear = if self.modal.retract_to_r { retract } else { initial.max(retract) };
-        let back = number == 87;
+        let back = number == 87 && !self.rules.is_strict;
         let mut down = Axes::default();
         down.words[normal] = depth.or(block.words.first());
         let mut height = start[normal];

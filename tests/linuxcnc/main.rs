@@ -4,6 +4,7 @@
 mod common;
 
 mod documented;
+mod language;
 mod oracle;
 mod refused;
 mod run;

@@ -170,7 +170,7 @@ fn what_has_no_value_is_reported_and_moves_nothing() {
         ("FOO[1]", "missing-number"),
         ("ATAN[1]", "bad-expression"),
         ("SIN[1,2]", "bad-expression"),
-        ("EXISTS[#5]", "bad-expression"),
+        ("EXISTS[5]", "bad-expression"),
         ("EXISTS[5]", "bad-expression"),
         ("[", "bad-expression"),
         ("[]", "bad-expression"),
