@@ -188,7 +188,7 @@ fn what_has_no_value_is_reported_and_moves_nothing() {
         ("#[0.5]", "bad-parameter"),
         ("#[-1]", "bad-parameter"),
         ("#10000", "bad-parameter"),
-        ("#99999999999999999999", "bad-parameter"),
+        ("#99999999999999999999", "number-too-large"),
         ("#<_abs_x>", "unset-parameter"),
         ("#5410", "unknown-parameter"),
         ("#5420", "unknown-parameter"),
