@@ -9,8 +9,8 @@ import { main, root } from "../scripts/command.mjs";
 const limits = { velocity: 200, acceleration: 2000, jerk: 5e4 };
 const shapes = [
   ["waves, points 0.2 mm apart", waves, [10_000, 100_000]],
-  ["blocks of 3 to 8 mm", corners, [1000, 10_000]],
-  ["stairs", stairs, [1000, 10_000]],
+  ["blocks of 3 to 8 mm", corners, [1000]],
+  ["stairs", stairs, [1000]],
 ];
 
 /** Prints a table. */

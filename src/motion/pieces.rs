@@ -32,3 +32,17 @@ pub fn pieces(one: &Move) -> Vec<Piece> {
         }
     }
 }
+
+/// Most chords that an arc is fitted by: CAM systems write arcs as short as their lines.
+const MOST_CHORDS: u8 = 4;
+
+/// How many lines stand for a move within a tolerance [mm]; 0 where they are too many, or none do.
+pub(super) fn chords(one: &Move, tolerance: f64) -> u8 {
+    let gap = match &one.curve {
+        MoveCurve::Line(_) | MoveCurve::Vertical(_) => 0.0,
+        // The sagitta of a chord over the angle φ is at most R φ²/8.
+        MoveCurve::Arc(arc) => arc.radius() * arc.sweep() * arc.sweep() / 8.0,
+        _ => f64::INFINITY,
+    };
+    (1..=MOST_CHORDS).find(|n| gap <= tolerance * f64::from(n * n)).unwrap_or(0)
+}

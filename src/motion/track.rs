@@ -8,12 +8,12 @@
 use glam::DVec3;
 
 use super::blend::{Rough, SHARPEST};
-use super::pieces::pieces;
+use super::pieces::{chords, pieces};
 use super::{
     Corner, CornerCurve, CornerShape, CurvatureSteps, Eased, Fitted, Fitter, Frame, Limits, Mode,
     Piece, Straight,
 };
-use crate::contour::{Move, MoveCurve};
+use crate::contour::Move;
 
 /// How two pieces of a track meet.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -86,6 +86,9 @@ const LEAST_REST: f64 = 1e-10;
 
 /// Ends of successive moves farther apart than this are joined by a rapid move [mm].
 const GAP: f64 = 1e-6;
+
+/// The part of the deviation that may lie between a short arc and the chords by which it is fitted.
+const CHORDS: f64 = 0.02;
 
 /// Makes a track of moves as they come; each piece is handed out when the next two moves are known.
 #[expect(clippy::struct_excessive_bools, reason = "each tells of something else")]
@@ -207,9 +210,9 @@ impl TrackBuilder {
         let block = self.block;
         self.block += 1;
         let feed = one.feed.filter(|_| !one.rapid).unwrap_or(f64::INFINITY);
-        let is_line = matches!(one.curve, MoveCurve::Line(_) | MoveCurve::Vertical(_));
+        let chords = chords(one, CHORDS * self.deviation);
         let from = one.plane.place(one.curve.start(), one.heights[0]);
-        let goes_on = self.fits && is_line && !one.rapid && self.blends.is_none() && !self.rests;
+        let goes_on = self.fits && chords > 0 && !one.rapid && self.blends.is_none() && !self.rests;
         if !goes_on || !self.fitter.as_ref().is_some_and(|fitter| fitter.is_at(from)) {
             let rests = std::mem::take(&mut self.rests);
             self.end_fit(track);
@@ -223,13 +226,19 @@ impl TrackBuilder {
         if std::mem::take(&mut self.jumps) {
             self.end = None;
         }
-        if self.fits && is_line && !one.rapid {
+        if self.fits && chords > 0 && !one.rapid {
             if self.fitter.is_none() {
                 self.fit_rests = std::mem::take(&mut self.rests);
             }
-            let deviation = self.deviation;
-            let fitter = self.fitter.get_or_insert_with(|| Fitter::new(from, deviation));
-            let to = one.plane.place(one.curve.end(), one.heights[1]);
+            let tolerance = (1.0 - CHORDS) * self.deviation;
+            let fitter = self.fitter.get_or_insert_with(|| Fitter::new(from, tolerance));
+            let [low, high] = one.heights;
+            for k in 1..chords {
+                let t = f64::from(k) / f64::from(chords);
+                let to = one.plane.place(one.curve.point(t), low + (high - low) * t);
+                fitter.line(to, block, feed, &mut self.fitted);
+            }
+            let to = one.plane.place(one.curve.end(), high);
             fitter.line(to, block, feed, &mut self.fitted);
             self.take_fitted(track);
             return;

@@ -5,7 +5,8 @@
 //! in steps); ramps of quintics with look-ahead and stops where they are faster; and the same with
 //! trapezoids of acceleration whose edges are smooth. All keep the limit of jerk.
 
-use g41::contour::Move;
+use g41::contour::{Move, MoveCurve};
+use g41::geometry::{Arc, RadiusForm};
 use g41::motion::{AxisLimits, CornerCurve, Limits, Mode, plan};
 use glam::{DVec2, DVec3};
 
@@ -114,6 +115,42 @@ fn corner_after_corner_takes_the_time_of_the_third_order_optimum() {
             "{degrees}°, {half} mm: {third:.2} ms for {optimum}; eased, snap bounded {eased:.2}"
         );
         assert!(eased < 1.17 * optimum, "{degrees}°, {half} mm: eased {eased} ms");
+    }
+}
+
+#[test]
+fn short_arcs_are_fitted_with_the_lines_around_them() {
+    // A wave in steps of 0.4 mm: lines, arcs, and both by turns.
+    let at = |k: u32| {
+        let x = 0.4 * f64::from(k);
+        DVec2::new(x, 6.0 * (x / 6.4).sin())
+    };
+    let moves = |is_arc: fn(u32) -> bool| -> Vec<Move> {
+        let points: Vec<DVec3> = (0..=200).map(|k| at(k).extend(0.0)).collect();
+        let mut moves = shapes::polyline(&points);
+        for (k, one) in (0..).zip(&mut moves) {
+            let (from, to) = (one.curve.start(), one.curve.end());
+            // As curved as the wave is half-way, or so little that it is a line.
+            let x = 0.5 * (from.x + to.x) / 6.4;
+            let bend =
+                -6.0 / 6.4_f64.powi(2) * x.sin() / (1.0 + (6.0 / 6.4 * x.cos()).powi(2)).powf(1.5);
+            if is_arc(k) && bend.abs() > 1e-3 {
+                let radius = 1.0 / bend.abs();
+                let arc = Arc::from_radius(from, to, radius, RadiusForm::Minor, bend < 0.0, 1e-9);
+                one.curve = MoveCurve::Arc(arc.expect("longer than its chord"));
+            }
+        }
+        moves
+    };
+    let limits = Limits::default();
+    let lines = time(&moves(|_| false), &limits);
+    for is_arc in [|k| k % 2 == 1, |_| true] {
+        let moves = moves(is_arc);
+        let motion = plan(&moves, &limits).expect("limits");
+        let arcs = motion.duration;
+        assert!(arcs < 1.03 * lines, "{arcs} s with arcs, {lines} s without");
+        let found = motion.violations(&moves, &limits);
+        assert!(found.worst() < 1.0005, "{found:?}");
     }
 }
 

@@ -252,7 +252,10 @@ fn a_line_runs_into_an_arc_without_a_step() {
             let moves = slot(radius, sweep);
             let name = format!("radius {radius}, sweep {sweep}");
             let found = examine(&moves, &Limits::default(), &name);
-            assert_eq!((found.corners, found.stops, found.steps), (2, 0, 0), "{name}: {found:?}");
+            // An arc of 0.1 mm is fitted with its lines, all in one.
+            let corners = if radius * sweep.abs() < 0.15 { 0 } else { 2 };
+            let meant = (corners, 0, 0);
+            assert_eq!((found.corners, found.stops, found.steps), meant, "{name}: {found:?}");
             assert!(found.deviation <= 0.05, "{name}: {found:?}");
             for placed in track(&moves, &Limits::default()) {
                 for i in 0..=100 {
@@ -430,7 +433,7 @@ fn random_paths_keep_every_promise() {
         steps += found.steps;
     }
     let counts = [corners, stops, steps];
-    assert!(corners > 400 && (10..100).contains(&stops) && steps < 10, "{counts:?}");
+    assert!(corners > 350 && (10..100).contains(&stops) && steps < 10, "{counts:?}");
 }
 
 #[test]

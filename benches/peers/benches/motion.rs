@@ -29,11 +29,8 @@ fn main() {
     println!("| path | blocks | motion, s | samples | µs a block | MB at most |");
     println!("| --- | --- | --- | --- | --- | --- |");
     for (name, shape) in shapes {
-        let counts: &[u32] = if name.starts_with("waves") {
-            &[10_000, 100_000, 1_000_000]
-        } else {
-            &[1_000, 10_000]
-        };
+        let counts: &[u32] =
+            if name.starts_with("waves") { &[10_000, 100_000, 1_000_000] } else { &[1_000] };
         for count in counts {
             streamed(name, shape, *count);
         }
