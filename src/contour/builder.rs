@@ -30,7 +30,8 @@ pub struct ContourBuilder {
     lead_out: Option<Lead>,
     wall: Option<DVec2>,
     events: Vec<Event>,
-    keeps_centers: bool,
+    /// How much the radii of arcs that are kept as they are stated may differ [mm].
+    stated: Option<f64>,
 }
 
 impl ContourBuilder {
@@ -44,14 +45,15 @@ impl ContourBuilder {
             lead_out: None,
             wall: None,
             events: Vec::new(),
-            keeps_centers: false,
+            stated: None,
         }
     }
 
     /// Leaves centre and ends of arcs as they are stated, though rounding may make their distances
-    /// differ; otherwise the centre moves to where it is equally far from both.
-    pub fn keep_centers(&mut self) {
-        self.keeps_centers = true;
+    /// differ by `tolerance` [mm], or a thousandth; otherwise the centre moves to where it is equally
+    /// far from both.
+    pub fn keep_centers(&mut self, tolerance: f64) {
+        self.stated = Some(tolerance);
     }
 
     /// Adds a segment.
@@ -209,7 +211,7 @@ impl ContourBuilder {
                     }
                     Err(error) => Err(error),
                 },
-                _ => shape.curve(from, self.keeps_centers),
+                _ => shape.curve(from, self.stated),
             };
             let slot = match made {
                 Ok(curve) => Slot::Made(curve),

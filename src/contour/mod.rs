@@ -9,6 +9,7 @@ mod corner;
 mod plane;
 mod segment;
 mod shape;
+mod stated;
 mod tool;
 mod tool_path;
 mod transition;

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use super::stated::{RADIUS_TOLERANCE, stated_arc};
 use crate::geometry::{Arc, Curve, CurveError, Involute, Line, Parameter, RadiusForm, in_range};
 
 /// How much an arc's two radii may differ [mm], unless it is by less than
@@ -11,10 +12,6 @@ pub const ARC_TOLERANCE: f64 = 0.028_284_271;
 
 /// How much an arc's two radii may differ, as a part of them.
 pub const RELATIVE_ARC_TOLERANCE: f64 = 1e-3;
-
-/// How much they may differ where they are kept as they are stated [mm]: centre and end each
-/// rounded to 0.001 inch, as `LinuxCNC` allows it.
-const STATED_TOLERANCE: f64 = 0.002 * std::f64::consts::SQRT_2 * 25.4;
 
 /// A segment as described: all but its start, which is the end of the one before it.
 #[derive(Debug, Clone, PartialEq)]
@@ -97,20 +94,20 @@ impl Shape {
         }
     }
 
-    /// A line, arc or involute from its start, arcs as they are `stated` or about a centre that is
-    /// equally far from both ends; the line to its end instead of a spline.
+    /// A line, arc or involute from its start, arcs as they are stated within a tolerance [mm], or else
+    /// about a centre that is equally far from both ends; the line to its end instead of a spline.
     ///
     /// # Errors
     /// Why there is no such curve.
-    pub(crate) fn curve(&self, from: DVec2, stated: bool) -> Result<Curve, CurveError> {
+    pub(crate) fn curve(&self, from: DVec2, stated: Option<f64>) -> Result<Curve, CurveError> {
         let to = self.end().unwrap_or(from);
         if !in_range(to) {
             return Err(CurveError::OutOfRange { point: to });
         }
         match *self {
             Self::Arc { center, clockwise, .. } => {
-                let arc = if stated {
-                    stated_arc(from, to, center, clockwise)
+                let arc = if let Some(tolerance) = stated {
+                    stated_arc(from, to, center, clockwise, tolerance)
                 } else {
                     let relative = RELATIVE_ARC_TOLERANCE * from.distance(center);
                     Arc::from_center(from, to, center, clockwise, ARC_TOLERANCE.max(relative))
@@ -118,7 +115,8 @@ impl Shape {
                 arc.map(Curve::Arc)
             }
             Self::ArcByRadius { radius, form, clockwise, .. } => {
-                Arc::from_radius(from, to, radius, form, clockwise, ARC_TOLERANCE).map(Curve::Arc)
+                let tolerance = stated.map_or(ARC_TOLERANCE, |_| RADIUS_TOLERANCE);
+                Arc::from_radius(from, to, radius, form, clockwise, tolerance).map(Curve::Arc)
             }
             Self::Involute { center, radius, clockwise, .. } => {
                 Involute::new(from, to, center, radius, clockwise, ARC_TOLERANCE)
@@ -127,14 +125,4 @@ impl Shape {
             _ => Line::new(from, to).map(Curve::Line),
         }
     }
-}
-
-/// An arc with its centre and ends as they are stated.
-fn stated_arc(start: DVec2, end: DVec2, center: DVec2, clockwise: bool) -> Result<Arc, CurveError> {
-    let radii = [start.distance(center), end.distance(center)];
-    let apart = (radii[0] - radii[1]).abs();
-    if apart > STATED_TOLERANCE || apart > RELATIVE_ARC_TOLERANCE * radii[0].max(radii[1]) {
-        return Err(CurveError::RadiiDisagree { start: radii[0], end: radii[1] });
-    }
-    Arc::winding(start, end, center, clockwise)
 }

@@ -56,7 +56,11 @@ impl Interpreter {
     /// The arc after as many full circles as there are turns besides its own.
     fn turning(&mut self, shape: Shape, turns: u32, attributes: Attributes) {
         let from = attributes.plane.split(self.modal.position).0;
-        let arc = if turns > 1 { shape.curve(from, false) } else { Err(CurveError::ZeroLength) };
+        let arc = if turns > 1 {
+            shape.curve(from, self.rules.any_lead.then_some(f64::INFINITY))
+        } else {
+            Err(CurveError::ZeroLength)
+        };
         let Ok(Curve::Arc(arc)) = arc else {
             self.course.curve(from, shape, attributes, &mut self.report);
             return;

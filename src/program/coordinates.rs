@@ -87,6 +87,14 @@ impl Interpreter {
             Act::System(index) => self.system(block, word, index, passed_on, words),
             Act::SetData => self.set_data(block, word, words),
             Act::Origin => self.origin(block, word, words),
+            // LinuxCNC waits for no G40 here, and does nothing.
+            Act::OriginOff | Act::OriginOn
+                if self.rules.is_strict && self.course.switched().is_some() =>
+            {
+                let message = format!("{passed_on} does nothing while compensation is on");
+                let at = block.origin_at(word.column);
+                self.report.warning("changed-while-on", message, at, "switch it off (G40) before");
+            }
             Act::OriginOff => {
                 let systems = &mut self.modal.systems;
                 let shift = systems.shift[0];
@@ -113,6 +121,7 @@ impl Interpreter {
             }
             Act::Home => self.home(block, word, number, words),
             Act::StoreHome => {
+                self.not_while_on(block, word);
                 if let Some(machine) = self.modal.systems.held {
                     self.modal.systems.assumed.homes[usize::from(number > 300)] = machine;
                 }
@@ -164,6 +173,7 @@ impl Interpreter {
         }
         let before = self.modal.systems.active;
         if index.is_some() && before == index {
+            self.not_while_on(block, word);
             return;
         }
         self.leave_contour(block, word.column, "the coordinate system", None);
@@ -278,13 +288,15 @@ impl Interpreter {
         }
         take_as_text(words, "ABCUVWQIJ", &mut text);
         if is_origin {
-            self.leave_contour(block, word.column, "the coordinate system", None);
             // P0 is the active one; on FANUC it shifts all of them.
             let active = self.modal.systems.active;
             let system = match number {
                 Some(0) | None => active,
                 Some(number) => Some(number as usize - 1),
             };
+            if !self.rules.is_strict || system.is_none_or(|one| one == active.unwrap_or(0)) {
+                self.leave_contour(block, word.column, "the coordinate system", None);
+            }
             let concerns_all = radius.is_some() || fanuc && (number == Some(0) || kind == 20);
             self.assume(kind == 20, system.unwrap_or(0), given, radius.map(|word| word.value));
             self.origins(kind == 20, system, given, concerns_all);

@@ -198,7 +198,7 @@ impl Course {
     fn line_or_arc(&self, from: DVec2, shape: &Shape) -> Option<Curve> {
         match shape {
             Shape::Spline(_) | Shape::Bezier { .. } | Shape::Involute { .. } => None,
-            _ => shape.curve(from, self.rules.any_lead).ok(),
+            _ => shape.curve(from, self.rules.any_lead.then_some(f64::INFINITY)).ok(),
         }
     }
 

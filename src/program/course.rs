@@ -39,6 +39,8 @@ pub(super) struct Course {
     needs_a_line: bool,
     /// The control has stopped at a curve that cannot be.
     pub(super) is_cut_off: bool,
+    /// The unit of the program [mm].
+    pub(super) unit: f64,
     /// The direction in the plane in which the last move ends, where it is known.
     pub(super) heading: Option<DVec2>,
     /// What the block at work asks of the corner at its end.
@@ -70,6 +72,7 @@ impl Course {
             rules,
             needs_a_line: false,
             is_cut_off: false,
+            unit: 1.0,
             heading: None,
             asked: None,
             corner: None,
@@ -256,7 +259,7 @@ impl Course {
             self.segments += controls.len() / 3;
         }
         let origin = attributes.origin;
-        if let Some(fault) = fault_of(from, &shape, attributes, self.rules) {
+        if let Some(fault) = fault_of(from, &shape, attributes, self.rules, self.unit) {
             self.found(fault, report);
             self.is_cut_off = true;
             return self.cut_off(report);
@@ -382,6 +385,7 @@ impl Course {
             State::Off | State::Waiting(_) => State::Off,
             State::On(mut open) | State::Ending(mut open) => {
                 open.last_line = line_of(origin);
+                open.known(Some(origin), self.rules);
                 State::Ending(open)
             }
         };
@@ -400,13 +404,15 @@ impl Course {
         match std::mem::replace(&mut self.state, State::Off) {
             State::Off | State::Waiting(_) => {}
             State::Ending(open) => self.close(open, None, ContourEnd::Off, report),
-            State::On(open) => {
+            State::On(mut open) => {
                 let mut diagnostic =
                     Diagnostic::warning("compensation-left-on", "the program ends without G40")
                         .with_hint("lead out with G40 and a straight move");
                 diagnostic.origin = origin;
                 report.push(diagnostic);
-                self.close(open, None, ContourEnd::Off, report);
+                let end = if self.is_cut_off { ContourEnd::CutOff } else { ContourEnd::Off };
+                open.known(origin.filter(|_| end == ContourEnd::Off), self.rules);
+                self.close(open, None, end, report);
             }
         }
     }

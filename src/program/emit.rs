@@ -77,6 +77,9 @@ pub struct Emitted {
 /// Arcs of less radius are written as lines [units of the last digit]: they have no shape.
 const MIN_RADIUS: f64 = 5.0;
 
+/// The same for `LinuxCNC`, which refuses arcs of less than 0.00127 mm.
+const LINUXCNC_MIN_RADIUS: f64 = 13.5;
+
 /// Arcs that bulge less than this are lines [units of the last digit]. Among them are all
 /// whose sweep a control in single precision could take for zero, and so for a full circle.
 const MIN_SAGITTA: f64 = 0.5;
@@ -386,9 +389,9 @@ impl Emitter {
         let to = self.out.place(plane.place(arc.end(), z1));
         let (radius, sweep) = (arc.radius(), arc.sweep());
         let sagitta = radius * (1.0 - sin_cos(0.5 * sweep).1);
-        if radius < MIN_RADIUS * self.unit
-            || (sweep.abs() < 1.0 && sagitta < MIN_SAGITTA * self.unit)
-        {
+        let is_linuxcnc = self.options.target == Target::LinuxCnc;
+        let least = if is_linuxcnc { LINUXCNC_MIN_RADIUS } else { MIN_RADIUS };
+        if radius < least * self.unit || (sweep.abs() < 1.0 && sagitta < MIN_SAGITTA * self.unit) {
             self.out.line(to, plane);
             return;
         }

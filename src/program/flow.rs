@@ -311,6 +311,8 @@ impl Runner {
     /// The text ends, which is the end of the program but should not be that of a subprogram.
     pub(super) fn end_of_text(&mut self) {
         if self.frames.is_empty() {
+            // A control that stops waits for more.
+            self.interpreter.course.is_cut_off |= self.options.rules.is_strict;
             self.end(false);
         } else {
             self.unfinished();

@@ -4,6 +4,7 @@ use glam::DVec2;
 
 use super::block::Block;
 use super::course::Course;
+use super::interpret::MINUTE;
 use super::items::Item;
 use super::open::builder_at;
 use super::report::Report;
@@ -61,8 +62,7 @@ impl Course {
             for segment in contour.segments() {
                 length += segment.curve.length();
             }
-            let [start, end] = attributes.heights;
-            attributes.feed = Some(length.hypot(end - start) / time);
+            attributes.feed = Some(self.timed(length, &attributes, time));
         }
         for segment in contour.segments() {
             match &segment.curve {
@@ -80,12 +80,17 @@ impl Course {
         }
     }
 
+    /// The feed of a move that is so long in its plane [mm] and takes so long [s]; some controls are
+    /// never slower than 0.1 units a minute.
+    fn timed(&self, length: f64, attributes: &Attributes, time: f64) -> f64 {
+        let [start, end] = attributes.heights;
+        let least = if self.rules.any_lead { 0.1 * self.unit / MINUTE } else { 0.0 };
+        (length.hypot(end - start) / time).max(least)
+    }
+
     pub(super) fn free(&mut self, curve: MoveCurve, attributes: &Attributes) {
         let feed = match attributes.time {
-            Some(time) => {
-                let [start, end] = attributes.heights;
-                Some(curve.length().hypot(end - start) / time)
-            }
+            Some(time) => Some(self.timed(curve.length(), attributes, time)),
             None => attributes.feed,
         };
         self.items.push(Item::Free(Move {

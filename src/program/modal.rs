@@ -11,7 +11,7 @@ use super::g_words::Motion;
 use crate::contour::Plane;
 
 /// Millimetres in an inch.
-const INCH: f64 = 25.4;
+pub(super) const INCH: f64 = 25.4;
 
 /// Most tools that G10 can give a radius: as many as the largest tables of tools hold.
 const MOST_RADII: usize = 1000;

@@ -65,6 +65,12 @@ impl Interpreter {
                     let attributes = self.attributes(block, rapid, to);
                     self.line(&axes, to, attributes);
                     self.arrive(&axes, to);
+                } else if stated && self.course.takes_any_lead() {
+                    // The word alone leads to where the program is.
+                    let at = self.modal.position;
+                    let attributes = self.attributes(block, rapid, at);
+                    let from = attributes.plane.split(at).0;
+                    self.course.vertical(from, attributes, &mut self.report);
                 }
             }
             Motion::Passed(tenths) => self.passed_move(block, tenths, words),
@@ -113,6 +119,7 @@ impl Interpreter {
     /// What belongs to a move to `to` besides its curve.
     pub(super) fn attributes(&mut self, block: &Block, rapid: bool, to: DVec3) -> Attributes {
         let plane = self.modal.plane;
+        self.course.unit = self.modal.unit();
         let wish = self.wish(block, to);
         self.course.column(block, self.spline.is_none());
         let (feed, time) = if rapid { (None, None) } else { self.feed_of_moves(block) };

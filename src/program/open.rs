@@ -4,8 +4,9 @@ use glam::DVec2;
 
 use super::course::SwitchOn;
 use super::items::{ContourEnd, ContourStart, Item};
+use super::modal::INCH;
 use super::rules::Rules;
-use crate::contour::{Attributes, ContourBuilder, EventKind, Lead, Shape};
+use crate::contour::{ARC_TOLERANCE, Attributes, ContourBuilder, EventKind, Lead, Shape};
 use crate::diagnostic::{Diagnostic, Origin, Severity};
 
 /// A contour whose end is not known yet.
@@ -74,6 +75,13 @@ impl Open {
         self.leads_in = true;
     }
 
+    /// At this block a control that looks ahead knows where its last move ends.
+    pub(super) fn known(&mut self, origin: Option<Origin>, rules: Rules) {
+        if let Some(origin) = origin.filter(|_| rules.any_lead) {
+            self.event(EventKind::Stop, origin);
+        }
+    }
+
     pub(super) fn event(&mut self, kind: EventKind, origin: Origin) {
         self.builder.event(kind.clone(), origin);
         self.events.push((kind, origin));
@@ -81,26 +89,35 @@ impl Open {
     }
 }
 
-/// A contour that starts at `start` [mm].
+/// How much the radii of an arc may differ as `LinuxCNC` has it [mm]: a tenth as many inches as
+/// millimetres.
+fn arc_tolerance(unit: f64) -> f64 {
+    if unit > 1.0 { 0.1 * ARC_TOLERANCE * unit } else { ARC_TOLERANCE }
+}
+
+/// A contour that starts at `start` [mm]; of arcs as they are stated, their faults were found before.
 pub(super) fn builder_at(start: DVec2, rules: Rules) -> ContourBuilder {
     let mut builder = ContourBuilder::new(start);
     if rules.any_lead {
-        builder.keep_centers();
+        builder.keep_centers(arc_tolerance(INCH));
     }
     builder
 }
 
-/// Why a control that stops at every fault cannot make a curve as it is described.
+/// Why a control that stops at every fault cannot make a curve as it is described, in a program whose
+/// unit is `unit` [mm].
 pub(super) fn fault_of(
     from: DVec2,
     shape: &Shape,
     attributes: Attributes,
     rules: Rules,
+    unit: f64,
 ) -> Option<Diagnostic> {
     if !rules.is_strict {
         return None;
     }
-    let mut builder = builder_at(from, rules);
+    let mut builder = ContourBuilder::new(from);
+    builder.keep_centers(arc_tolerance(unit));
     builder.segment(shape.clone(), attributes);
     builder.build(false).diagnostics.into_iter().find(|found| found.severity == Severity::Error)
 }

@@ -162,11 +162,14 @@ impl Interpreter {
         }
         let plane = self.modal.plane;
         let states = std::mem::take(&mut self.owed);
+        let mut moves_back = states != [false; 3];
         let mut moves = Vec::with_capacity(ways.len());
         for &to in ways {
             let ((a, low), (b, high)) = (plane.split(from), plane.split(to));
             let curve = Line::new(a, b).map_or(MoveCurve::Vertical(a), MoveCurve::Line);
-            if !matches!(curve, MoveCurve::Vertical(_)) || low != high {
+            let leads = !matches!(curve, MoveCurve::Vertical(_)) || low != high;
+            // From beside a contour the first one leads back to the program.
+            if leads || self.rules.is_strict && moves_back {
                 moves.push(Move {
                     curve,
                     role: Role::Free,
@@ -178,6 +181,7 @@ impl Interpreter {
                 });
             }
             from = to;
+            moves_back = false;
         }
         if !ways.is_empty() {
             self.modal.position = from;

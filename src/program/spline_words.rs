@@ -117,7 +117,7 @@ impl Interpreter {
                     let radius =
                         word.value.abs() * self.modal.unit() * self.modal.frame.factor(plane)?;
                     let shape = Shape::ArcByRadius { to, radius, form, clockwise };
-                    shape.curve(from, false).ok()?.tangent(0.0)
+                    shape.curve(from, None).ok()?.tangent(0.0)
                 } else {
                     let along = perp(from - flat(center));
                     if clockwise { -along } else { along }
@@ -138,7 +138,7 @@ pub(super) fn end_heading(from: DVec2, shape: &Shape) -> Option<DVec2> {
             _ => return None,
         },
         Shape::Spline(_) => return None,
-        _ => shape.curve(from, false).ok()?.tangent(1.0),
+        _ => shape.curve(from, None).ok()?.tangent(1.0),
     };
     heading.try_normalize()
 }

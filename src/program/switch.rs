@@ -28,8 +28,10 @@ impl Interpreter {
         let origin = block.origin_at(demand.map(|(_, w)| w).or(number).map_or(1, |w| w.column));
         let switches_on =
             matches!(demand, Some((Compensation::Tool(_) | Compensation::Diameter(_), _)));
-        if self.rules.is_strict && switches_on {
-            let fault = if self.course.switched().is_some() {
+        if self.rules.is_strict && (switches_on || number.is_some()) {
+            let fault = if !switches_on {
+                Some("D belongs to G41 or G42")
+            } else if self.course.switched().is_some() {
                 Some("compensation is on already")
             } else if self.modal.plane == Plane::Yz {
                 Some("in the plane G19 nothing is compensated")

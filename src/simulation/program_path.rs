@@ -14,7 +14,7 @@ use crate::contour::{
     AuxiliaryWords, Contour, EventKind, Move, MoveCurve, Reset, Role, Tool, ToolPath, Walls,
 };
 use crate::diagnostic::{Diagnostic, Origin};
-use crate::geometry::{Decimal, Line, MIN_LENGTH};
+use crate::geometry::{Arc, Decimal, Line, MIN_LENGTH};
 use crate::gouge::check;
 use crate::program::{
     ContourEnd, ContourStart, Interpretation, Item, ProgrammedContour, RadiusSource,
@@ -120,7 +120,7 @@ impl Course {
     /// One step of the program.
     fn item(&mut self, item: &Item, tools: &Tools, options: &Options) {
         match item {
-            Item::Free(free) => self.free(*free),
+            Item::Free(free) => self.free(*free, options.lead == LeadStyle::LinuxCnc),
             Item::Words { words, reset, origin } => {
                 let mut reset = *reset;
                 // Moves that words make start where the tool is.
@@ -162,18 +162,17 @@ impl Course {
     }
 
     /// A move without compensation. After a contour without a lead-out the tool is not where the
-    /// program is, and goes on from there.
-    fn free(&mut self, free: Move) {
+    /// program is, and goes on from there; along the normal of the plane only where the control does
+    /// not go back to the program with it.
+    fn free(&mut self, free: Move, goes_back: bool) {
         let Some((at, height)) = self.elsewhere(&free) else {
             self.path.moves.push(free);
             return;
         };
         let curve = match free.curve {
-            MoveCurve::Vertical(_) => MoveCurve::Vertical(at),
-            MoveCurve::Line(line) => match Line::new(at, line.end()) {
-                Ok(line) => MoveCurve::Line(line),
-                Err(_) => MoveCurve::Vertical(at),
-            },
+            MoveCurve::Vertical(_) if !goes_back => MoveCurve::Vertical(at),
+            MoveCurve::Vertical(to) => line_from(at, to),
+            MoveCurve::Line(line) => line_from(at, line.end()),
             MoveCurve::Arc(_) | MoveCurve::Cubic(_) | MoveCurve::Involute(_) => {
                 self.join((at, height), &free, Role::Free);
                 self.path.moves.push(free);
@@ -237,6 +236,16 @@ impl Course {
             && let Some((at, height)) = self.elsewhere(first)
         {
             match Line::new(at, first.curve.end()) {
+                Ok(line) if looks_ahead => {
+                    first.curve = match first.curve {
+                        MoveCurve::Arc(arc) => {
+                            let turned = arc.is_clockwise();
+                            Arc::winding(at, arc.end(), arc.center(), turned)
+                                .map_or(first.curve, MoveCurve::Arc)
+                        }
+                        _ => MoveCurve::Line(line),
+                    };
+                }
                 // Without a lead-out before it the tool leads in from beside that contour: on the
                 // contour, where the program is, it would cut into the part.
                 Ok(line) if follows_a_contour && first.role == Role::LeadIn => {
@@ -345,6 +354,11 @@ impl Course {
             without
         })
     }
+}
+
+/// A straight move, or one along the normal of the plane where it leads nowhere else [mm].
+fn line_from(at: DVec2, to: DVec2) -> MoveCurve {
+    Line::new(at, to).map_or(MoveCurve::Vertical(at), MoveCurve::Line)
 }
 
 /// Lets the moves of each block of a contour take the time that is programmed for it (G93).

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::queue::{Pending, Shape};
-use super::{Control, Refused, SAME_LENGTH, TOO_TIGHT, climb, helix, swept};
+use super::{Control, Refused, TOO_TIGHT, climb, helix, swept};
 use crate::contour::{Attributes, Role};
 use crate::geometry::{Arc, direction, perp};
 
@@ -15,7 +15,7 @@ impl Control<'_> {
     /// A straight lead-in to `to`: its end is beside its own.
     pub(super) fn lead_in(&mut self, to: DVec2, attributes: &Attributes) -> Result<(), Refused> {
         self.origin = attributes.origin;
-        let (step, least) = (to - self.at, self.tool.radius() + SAME_LENGTH);
+        let (step, least) = (to - self.at, self.least_length());
         let Some(along) = direction(step).filter(|_| step.length() > least) else {
             return Err(Refused("short-lead-in", "the lead-in is not longer than the tool radius"));
         };
@@ -30,24 +30,25 @@ impl Control<'_> {
         Ok(())
     }
 
-    /// A lead-in along an arc: it ends beside its own end, and its centre moves along the radius
+    /// A lead-in along an arc, after as many full circles: it ends beside its own end, and its centre moves along the radius
     /// there to where it is equally far from both ends.
     pub(super) fn arc_lead_in(
         &mut self,
         arc: &Arc,
+        turns: u32,
         attributes: &Attributes,
     ) -> Result<(), Refused> {
         self.origin = attributes.origin;
         let (from, end, radius) = (self.at, arc.end(), self.tool.radius());
-        if from.distance(end) <= radius + SAME_LENGTH {
+        if from.distance(end) <= self.least_length() {
             let message = "the ends of the lead-in arc are not farther apart than the tool radius";
             return Err(Refused("short-lead-in", message));
         }
         let is_inside = self.is_inside(arc.is_clockwise());
-        if is_inside && arc.radius() <= radius + SAME_LENGTH {
+        if is_inside && arc.radius() <= self.least_length() {
             return Err(TOO_TIGHT);
         }
-        let attributes = self.timed(attributes, helix(arc, attributes));
+        let attributes = self.timed(attributes, helix(arc, turns, attributes));
         let inwards = direction(arc.center() - end).ok_or(TOO_TIGHT)?;
         let beside = end + inwards * if is_inside { radius } else { -radius };
         let towards = direction(arc.center() - beside).ok_or(TOO_TIGHT)?;
@@ -69,7 +70,7 @@ impl Control<'_> {
         let clockwise = arc.is_clockwise();
         let sweep = swept(from - center, beside - center, clockwise);
         (self.programmed, self.at) = (end, beside);
-        let shape = Shape::Arc { center, clockwise, sweep };
+        let shape = Shape::Arc { center, clockwise, sweep, turns };
         self.queue.push(Pending { to: beside, shape, attributes, role: Role::LeadIn });
         Ok(())
     }

@@ -25,13 +25,18 @@ use self::corner::{Flank, InsideCorner};
 use self::queue::{Pending, Queue, Shape};
 use super::{CornerStyle, Options};
 use crate::contour::{
-    Attributes, Contour, EventKind, Lead, Role, Side, Tool, ToolPath, Transition, TransitionKind,
+    Attributes, Contour, EventKind, Lead, Role, Segment, Side, Tool, ToolPath, Transition,
+    TransitionKind,
 };
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Arc, Curve, direction, perp, turn};
 
-/// How little what is as long as the tool radius may seem longer, by rounding [mm].
+/// How little what is as long as the tool radius may seem longer, by turning inches into mm [mm].
 const SAME_LENGTH: f64 = 1e-9;
+
+/// How far the centre of the full circles of an arc of several turns may lie from its own [mm]: where
+/// its radii disagree they have one in between.
+const SAME_CENTER: f64 = 0.1;
 
 /// Slowest feed of a move whose time is programmed, in units of the program per minute.
 const SLOWEST: f64 = 0.1;
@@ -135,24 +140,19 @@ impl<'a> Control<'a> {
 
     fn run(&mut self, contour: &Contour) -> Result<(), Refused> {
         let segments = contour.segments();
-        let mut first = 0;
+        let mut leads_in = self.passage.leads_in;
         if let Some(lead) = contour.lead_in() {
             self.lead_in(contour.start(), &lead.attributes)?;
-        } else if self.passage.leads_in {
-            let attributes = &segments[0].attributes;
-            match &segments[0].curve {
-                Curve::Line(line) => self.lead_in(line.end(), attributes)?,
-                Curve::Arc(arc) => self.arc_lead_in(arc, attributes)?,
-                Curve::Spline(_) | Curve::Involute(_) => return self.refuse_curve(attributes),
-            }
-            first = 1;
-        } else {
+            leads_in = false;
+        } else if !leads_in {
             let tangent = segments[0].curve.tangent(0.0);
             self.at += perp(tangent) * self.tool.offset();
             self.queue.begin(self.at);
         }
         let mut events = contour.events().iter().peekable();
-        for index in first..=segments.len() {
+        // Full circles of an arc of several turns, and where it starts.
+        let (mut turns, mut height, mut time) = (0, 0.0, 0.0);
+        for (index, next) in (0..).zip(segments.iter().map(Some).chain([None])) {
             while let Some(event) = events.next_if(|event| event.before <= index) {
                 self.origin = event.origin;
                 match &event.kind {
@@ -166,23 +166,38 @@ impl<'a> Control<'a> {
                     }
                 }
             }
-            let Some(segment) = segments.get(index) else { break };
-            let attributes = &segment.attributes;
+            let Some(segment) = next else { break };
+            let mut attributes = segment.attributes;
             self.origin = attributes.origin;
+            if turns > 0 {
+                attributes.heights[0] = height;
+                attributes.time = attributes.time.map(|last| last + time);
+            }
+            if is_turn_of(segment, segments.get(index + 1)) {
+                turns += 1;
+                height = attributes.heights[0];
+                time = attributes.time.unwrap_or(0.0);
+                continue;
+            }
+            let turns = std::mem::take(&mut turns);
             match &segment.curve {
+                Curve::Line(line) if leads_in => self.lead_in(line.end(), &attributes)?,
+                Curve::Arc(arc) if leads_in => self.arc_lead_in(arc, turns, &attributes)?,
                 Curve::Line(line) => {
-                    let length = line.length().hypot(climb(attributes));
-                    let attributes = self.timed(attributes, length);
+                    let length = line.length().hypot(climb(&attributes));
+                    let attributes = self.timed(&attributes, length);
                     let outgoing = self.line(line.end());
                     self.segment(&outgoing, &attributes)?;
                 }
                 Curve::Arc(arc) => {
-                    let attributes = self.timed(attributes, helix(arc, attributes));
-                    let outgoing = self.arc(arc)?;
+                    let length = helix(arc, turns, &attributes);
+                    let attributes = self.timed(&attributes, length);
+                    let outgoing = self.arc(arc, turns)?;
                     self.segment(&outgoing, &attributes)?;
                 }
-                Curve::Spline(_) | Curve::Involute(_) => return self.refuse_curve(attributes),
+                Curve::Spline(_) | Curve::Involute(_) => return self.refuse_curve(&attributes),
             }
+            leads_in = false;
         }
         if self.passage.is_cut_off {
             return Ok(());
@@ -225,11 +240,11 @@ impl<'a> Control<'a> {
         }
     }
 
-    fn arc(&self, arc: &Arc) -> Result<Outgoing, Refused> {
+    fn arc(&self, arc: &Arc, turns: u32) -> Result<Outgoing, Refused> {
         let (end, center, clockwise) = (arc.end(), arc.center(), arc.is_clockwise());
         let (radius, is_inside) = (self.tool.radius(), self.is_inside(clockwise));
         let end_radius = center.distance(end);
-        if is_inside && end_radius <= radius + SAME_LENGTH {
+        if is_inside && end_radius <= self.least_length() {
             return Err(TOO_TIGHT);
         }
         // From the tool into the part, where the tool is outside.
@@ -246,8 +261,13 @@ impl<'a> Control<'a> {
                 clockwise,
                 is_inside,
             },
-            shape: Shape::Arc { center, clockwise, sweep: arc.sweep() },
+            shape: Shape::Arc { center, clockwise, sweep: arc.sweep(), turns },
         })
+    }
+
+    /// What has to be longer than the tool radius is longer than this [mm].
+    fn least_length(&self) -> f64 {
+        self.tool.radius() + if self.passage.unit > 1.0 { SAME_LENGTH } else { 0.0 }
     }
 
     /// Whether the tool is on the inside of an arc.
@@ -344,7 +364,7 @@ impl<'a> Control<'a> {
         } else if self.options.corner == CornerStyle::Arc {
             let clockwise = self.tool.side() == Side::Left;
             let sweep = if clockwise { -away } else { away };
-            let shape = Shape::Arc { center: corner, clockwise, sweep };
+            let shape = Shape::Arc { center: corner, clockwise, sweep, turns: 0 };
             self.queue.push(Pending { to, shape, attributes: between, role: Role::Transition });
         } else {
             let n1 = from - corner;
@@ -401,9 +421,19 @@ fn climb(attributes: &Attributes) -> f64 {
     attributes.heights[1] - attributes.heights[0]
 }
 
-/// Length of an arc or helix as programmed [mm].
-fn helix(arc: &Arc, attributes: &Attributes) -> f64 {
-    arc.length().hypot(climb(attributes))
+/// Length of an arc or helix as programmed, after as many full circles [mm].
+fn helix(arc: &Arc, turns: u32, attributes: &Attributes) -> f64 {
+    (arc.length() + f64::from(turns) * TAU * arc.radius()).hypot(climb(attributes))
+}
+
+/// Whether a segment is a full circle of the arc of several turns that the next one ends.
+fn is_turn_of(segment: &Segment, next: Option<&Segment>) -> bool {
+    let (Curve::Arc(circle), Some(next)) = (&segment.curve, next) else { return false };
+    let Curve::Arc(arc) = &next.curve else { return false };
+    circle.sweep().abs() == TAU
+        && circle.center().distance(arc.center()) < SAME_CENTER
+        && circle.is_clockwise() == arc.is_clockwise()
+        && segment.attributes.origin == next.attributes.origin
 }
 
 /// How far an arc turns from one radius to the other, positive counter-clockwise; all round where

@@ -43,8 +43,8 @@ impl Control<'_> {
                 }
                 Curve::Arc(arc) => {
                     let (center, clockwise) = (arc.center(), arc.is_clockwise());
-                    let shape = Shape::Arc { center, clockwise, sweep: arc.sweep() };
-                    let attributes = self.timed(attributes, helix(arc, attributes));
+                    let shape = Shape::Arc { center, clockwise, sweep: arc.sweep(), turns: 0 };
+                    let attributes = self.timed(attributes, helix(arc, 0, attributes));
                     self.queue.push(Pending { to: at, shape, attributes, role });
                 }
                 Curve::Spline(_) | Curve::Involute(_) => {

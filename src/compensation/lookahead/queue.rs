@@ -18,6 +18,9 @@ const MORE_TURN: [f64; 2] = [0.0254, 0.001];
 /// How much the radius of an arc may change when its end is moved, in units of the program.
 const MORE_RADIUS: f64 = 0.01;
 
+/// Angle below which the end of a circle is its start [rad]; the motion controller's own.
+const SAME_PLACE: f64 = 1e-6;
+
 /// The curve of a move whose end is open.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Shape {
@@ -30,6 +33,8 @@ pub(super) enum Shape {
         clockwise: bool,
         /// How far it was programmed to turn [rad].
         sweep: f64,
+        /// Full circles before that.
+        turns: u32,
     },
 }
 
@@ -128,7 +133,7 @@ impl Queue {
                         return Err(TOO_SHORT);
                     }
                 }
-                Shape::Arc { center, clockwise, sweep } => {
+                Shape::Arc { center, clockwise, sweep, .. } => {
                     let change = center.distance(pending.to) - center.distance(end);
                     if change.abs() > MORE_RADIUS * self.unit {
                         return Err(TOO_SHORT);
@@ -191,15 +196,35 @@ impl Queue {
     }
 
     fn draw(&mut self, pending: &Pending, to: DVec2) {
-        let Pending { shape, attributes, role, .. } = *pending;
+        let Pending { shape, mut attributes, role, .. } = *pending;
         let climbs = (attributes.heights[1] - attributes.heights[0]).abs() > MIN_LENGTH;
         let curve = match shape {
             Shape::Line { .. } => Line::new(self.pen, to).ok().map(MoveCurve::Line),
-            Shape::Arc { center, clockwise, sweep } => {
+            Shape::Arc { center, clockwise, sweep, turns } => {
+                if let Ok(circle) = Arc::winding(self.pen, self.pen, center + self.tip, clockwise) {
+                    let climb = attributes.heights[1] - attributes.heights[0];
+                    let left =
+                        swept(self.pen - center - self.tip, to - center - self.tip, clockwise);
+                    let climb = climb / (f64::from(turns) + left.abs() / TAU);
+                    for _ in 0..turns {
+                        let [start, end] = attributes.heights;
+                        let heights = [start, start + climb];
+                        self.step(
+                            MoveCurve::Arc(circle),
+                            role,
+                            Attributes { heights, ..attributes },
+                        );
+                        attributes.heights = [start + climb, end];
+                    }
+                }
                 let is_point = self.pen.distance(to) < MIN_LENGTH && sweep.abs() < 0.999 * TAU;
                 if is_point && role == Role::LeadIn && self.tip != DVec2::ZERO {
                     self.circle(&attributes, to);
                 }
+                // A circle that ends a little behind its start goes round once more.
+                let turned = swept(self.pen - center - self.tip, to - center - self.tip, clockwise);
+                let is_circle = sweep.abs() > 0.999 * TAU && turned.abs() < SAME_PLACE;
+                let to = if is_circle { self.pen } else { to };
                 // Cut short to nothing, an arc does not become a full circle, but for one case.
                 let is_left_out = is_point && role != Role::LeadIn;
                 let arc = Arc::winding(self.pen, to, center + self.tip, clockwise);
@@ -208,10 +233,14 @@ impl Queue {
         };
         let curve = curve.or(climbs.then_some(MoveCurve::Vertical(self.pen)));
         if let Some(curve) = curve {
-            let Attributes { origin, feed, rapid, plane, heights, .. } = attributes;
-            self.path.moves.push(Move { curve, role, rapid, feed, plane, heights, origin });
-            self.pen = curve.end();
+            self.step(curve, role, attributes);
         }
+    }
+
+    fn step(&mut self, curve: MoveCurve, role: Role, attributes: Attributes) {
+        let Attributes { origin, feed, rapid, plane, heights, .. } = attributes;
+        self.path.moves.push(Move { curve, role, rapid, feed, plane, heights, origin });
+        self.pen = curve.end();
     }
 }
 
