@@ -6,5 +6,6 @@ mod common;
 mod documented;
 mod language;
 mod oracle;
+mod outputs;
 mod refused;
 mod run;
