@@ -107,7 +107,7 @@ impl Interpreter {
             return true;
         }
         let arc = matches!(motion, Motion::Arc { .. });
-        if others || words.has_any("XYZ@^") || arc && stated && words.has_any("IJK") {
+        if others || words.has_any("XYZ@^") || arc && words.has_any("IJK") {
             return !self.is_refused;
         }
         if stated {
