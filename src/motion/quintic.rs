@@ -19,6 +19,9 @@ const NODES: [f64; NODE_COUNT] = [
 ];
 const NODE_COUNT: usize = 9;
 
+/// The least part of the largest speed that a curve of even speed has.
+const EVEN: f64 = 0.7;
+
 /// Most of Newton's steps from arc length to parameter. The start is a cubic with the right speeds at
 /// both ends, and each step about squares the error.
 const STEPS: usize = 4;
@@ -58,6 +61,16 @@ pub struct Quintic {
 }
 
 impl Quintic {
+    /// The curve with the given coefficients, if its speed varies little enough for the length.
+    pub(super) fn of_even_powers(powers: [DVec3; 6]) -> Option<Self> {
+        let (mut least, mut most) = (f64::INFINITY, 0.0_f64);
+        for t in NODES {
+            let speed = derivatives(&powers, t)[1].length();
+            (least, most) = (least.min(speed), most.max(speed));
+        }
+        (least > EVEN * most).then(|| Self::of_powers(powers))
+    }
+
     /// The curve with the given coefficients by ascending powers of `t` in `[0, 1]` [mm].
     #[must_use]
     pub fn of_powers(powers: [DVec3; 6]) -> Self {

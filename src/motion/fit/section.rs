@@ -6,7 +6,7 @@ use super::basis::{blend, powers, value, weights};
 use super::layout::{Kind, Layout, Vertex};
 use super::tube::Tube;
 use super::{Fitted, Fitter, Mark};
-use crate::motion::{Piece, Quintic, Straight};
+use crate::motion::{ByLength, Piece, Quintic, Straight};
 
 /// Knots that lie between what is handed out and where the window ends: over so many the influence
 /// of what comes after dies away.
@@ -417,9 +417,14 @@ impl Walk<'_> {
     fn spline(&mut self, tube: &Tube, k: usize, smooth: bool) {
         let powers = powers(&tube.controls[k..]);
         let places = [powers[0].w, value(&powers, 1.0).w];
-        let piece = Quintic::of_powers(powers.map(Vec4Swizzles::xyz));
+        let curve = powers.map(Vec4Swizzles::xyz);
         let off = tube.farthest(k) + self.thinning;
-        self.hand_out(Piece::Quintic(Box::new(piece)), places, off, smooth);
+        // Where the spline all but turns back, its own measure of length is not good enough.
+        let piece = match Quintic::of_even_powers(curve) {
+            Some(quintic) => Piece::Quintic(Box::new(quintic)),
+            None => Piece::Curve(Box::new(ByLength::of_polynomial(curve.to_vec()))),
+        };
+        self.hand_out(piece, places, off, smooth);
     }
 
     /// Hands out the piece from a place to another, with the blocks that it stands for.

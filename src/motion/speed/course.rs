@@ -109,6 +109,14 @@ impl Course {
         }
     }
 
+    /// The length of a piece on which the path turns quickly [mm]; of others it is infinite.
+    pub(super) fn turning(&self, at: usize) -> f64 {
+        match &self.pieces[at].piece {
+            Piece::Straight(_) | Piece::Helix(_) | Piece::Unwound(_) => f64::INFINITY,
+            piece => piece.length(),
+        }
+    }
+
     /// The arc length at which a piece starts [mm].
     pub(super) fn start(&self, at: usize) -> f64 {
         self.from[at]

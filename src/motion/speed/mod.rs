@@ -13,6 +13,7 @@ mod ramp;
 mod reference;
 mod retime;
 mod run;
+mod spline;
 mod textbook;
 mod verify;
 

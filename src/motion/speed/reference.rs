@@ -16,9 +16,9 @@ const EVEN: f64 = 0.98;
 /// A place of the first law: arc length [mm], square of speed, acceleration and cap from there on.
 type Node = [f64; 4];
 
-/// States at even steps of time, from rest to rest, and the step [s], which is about the one asked
-/// for. Their number is odd.
-pub(super) fn reference(course: &Course, limits: &Limits, step: f64) -> (Vec<State>, f64) {
+/// The coefficients of a spline over time, from rest to rest, as [`states`] takes them, and their
+/// distance [s], which is about twice the step asked for.
+pub(super) fn reference(course: &Course, limits: &Limits, step: f64) -> (Vec<f64>, f64) {
     let nodes = nodes(course, limits);
     let time = travel(&nodes, f64::INFINITY, &mut Vec::new());
     let span = time / (time / (2.0 * step)).ceil().max(1.0);
@@ -62,7 +62,7 @@ pub(super) fn reference(course: &Course, limits: &Limits, step: f64) -> (Vec<Sta
     if !course.moving[1] {
         at.extend([course.length; 3]);
     }
-    (states(&at, span), 0.5 * span)
+    (at, span)
 }
 
 fn nodes(course: &Course, limits: &Limits) -> Vec<Node> {
@@ -149,27 +149,26 @@ fn spread(at: &mut Vec<f64>, count: usize, rests: bool) {
     }
 }
 
-/// States of the uniform spline of degree 4 with these coefficients, at its knots and half-way.
-fn states(spline: &[f64], span: f64) -> Vec<State> {
+/// The state of the uniform spline of degree 4 with these coefficients, a distance `span` [s] apart, at
+/// a time since the first knot that five of them act on [s].
+pub(super) fn state(spline: &[f64], span: f64, time: f64) -> State {
+    let last = (spline.len() - 5) as f64;
+    let interval = (time / span + 1.0e-9).floor().clamp(0.0, last);
+    #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "at most the last")]
+    let first = interval as usize;
+    let x = time / span - interval;
+    let [a, b, c, d, e] = [0, 1, 2, 3, 4].map(|i| spline[first + i]);
     let (square, cube) = (span * span, span * span * span);
-    let mut states = Vec::with_capacity(2 * spline.len());
-    for k in 0..spline.len() - 3 {
-        let [a, b, c, d] = [spline[k], spline[k + 1], spline[k + 2], spline[k + 3]];
-        states.push([
-            (a + 11.0 * (b + c) + d) / 24.0,
-            (d - a + 3.0 * (c - b)) / (6.0 * span),
-            (a - b - c + d) / (2.0 * square),
-            (d - a + 3.0 * (b - c)) / cube,
-        ]);
-        if k + 4 < spline.len() {
-            let e = spline[k + 4];
-            states.push([
-                (a + e + 76.0 * (b + d) + 230.0 * c) / 384.0,
-                (e - a + 22.0 * (d - b)) / (48.0 * span),
-                (a + e + 4.0 * (b + d) - 10.0 * c) / (8.0 * square),
-                (e - a + 2.0 * (b - d)) / (2.0 * cube),
-            ]);
-        }
-    }
-    states
+    // The state at the knot in units of the distance, and Taylor's series from there.
+    let position = (a + 11.0 * (b + c) + d) / 24.0;
+    let velocity = (d - a + 3.0 * (c - b)) / 6.0;
+    let acceleration = 0.5 * (a - b - c + d);
+    let jerk = d - a + 3.0 * (b - c);
+    let snap = a + e + 6.0 * c - 4.0 * (b + d);
+    [
+        position + x * (velocity + x * (acceleration / 2.0 + x * (jerk / 6.0 + x * snap / 24.0))),
+        (velocity + x * (acceleration + x * (jerk / 2.0 + x * snap / 6.0))) / span,
+        (acceleration + x * (jerk + x * snap / 2.0)) / square,
+        (jerk + x * snap) / cube,
+    ]
 }

@@ -11,9 +11,12 @@
 //! Where a limit is broken at the start it is widened, and drawn in while the iteration leaves room;
 //! what is left is for the caller to judge.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use super::banded::{self, Rows};
+use super::spline::Basis;
 
 /// The path at a knot. Each interval of the spline `b` has one at its start and one half-way.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,6 +25,9 @@ pub(super) struct Knot {
     pub(super) path: [DVec3; 3],
     /// What `b` may be at most for the sake of velocity and chord error.
     pub(super) most: f64,
+    /// The time of the parameter to the next knot [s], and its share of the time of the path.
+    pub(super) step: f64,
+    pub(super) share: f64,
     /// Inverse squares of the shares of acceleration, jerk and snap that may be used.
     pub(super) strict: [f64; 3],
 }
@@ -36,18 +42,6 @@ pub(super) struct Bounds {
     pub(super) snap: f64,
 }
 
-/// Values, slopes and second derivatives of the four cubic B-splines that are not zero at a knot of
-/// theirs, half-way to the next, and there, for a distance of 1 between them.
-const BASIS: [[[f64; 4]; 3]; 3] = [
-    [[1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0, 0.0], [-0.5, 0.0, 0.5, 0.0], [1.0, -2.0, 1.0, 0.0]],
-    [
-        [1.0 / 48.0, 23.0 / 48.0, 23.0 / 48.0, 1.0 / 48.0],
-        [-0.125, -0.625, 0.625, 0.125],
-        [0.5, -0.5, -0.5, 0.5],
-    ],
-    [[0.0, 1.0 / 6.0, 4.0 / 6.0, 1.0 / 6.0], [0.0, -0.5, 0.0, 0.5], [0.0, 1.0, -2.0, 1.0]],
-];
-
 /// How strongly the first and last coefficients are held together, so that `b` does not change while
 /// the path stands still and nothing else decides on it.
 const TIE: f64 = 1.0e3;
@@ -58,67 +52,57 @@ const DRAWN: f64 = 5.0;
 /// What the limits are widened by: velocity, acceleration and jerk, snap to the next knot.
 type Slack = [f64; 3];
 
+/// The most limits at a knot: velocity, acceleration and jerk of the vector and of three axes, snap.
+const MOST_LIMITS: usize = 10;
+
 /// A stretch of knots to be run faster.
 #[derive(Debug)]
 pub(super) struct Retiming<'a> {
     knots: &'a [Knot],
     bounds: &'a Bounds,
-    /// Distance of knots in the parameter [s].
-    step: f64,
-    basis: [[[f64; 4]; 3]; 3],
+    /// The splines of `b` at the knots.
+    basis: &'a [Basis],
+    /// Whether `b` is even at the start and at the end.
+    tied: [bool; 2],
 }
 
-/// The rates at a knot, jerk over √b.
+/// `b` and its root at a knot, and acceleration and jerk, the latter over the root.
 #[derive(Debug, Clone, Copy)]
 struct Rates {
     b: f64,
+    root: f64,
     acceleration: DVec3,
     jerk: DVec3,
 }
 
-/// A limit at a knot: `g`, and its derivatives by the coefficients.
-struct Term {
-    g: f64,
-    slopes: [f64; 4],
-    /// `g` is `weight |value|²`, with these derivatives of the value.
-    values: [DVec3; 4],
-    weight: f64,
-}
-
 impl<'a> Retiming<'a> {
-    pub(super) fn new(knots: &'a [Knot], bounds: &'a Bounds, step: f64) -> Self {
-        let mut basis = BASIS;
-        for [_, slopes, bends] in &mut basis {
-            *slopes = slopes.map(|slope| slope / (2.0 * step));
-            *bends = bends.map(|bend| bend / (4.0 * step * step));
-        }
-        Self { knots, bounds, step, basis }
+    pub(super) fn new(
+        knots: &'a [Knot],
+        bounds: &'a Bounds,
+        basis: &'a [Basis],
+        tied: [bool; 2],
+    ) -> Self {
+        Self { knots, bounds, basis, tied }
     }
 
-    /// The number of coefficients: those of knot `k` are four from `k / 2` on.
-    pub(super) fn coefficients(&self) -> usize {
-        (self.knots.len() - 1) / 2 + 3
+    /// The knots that some of the coefficients act on.
+    fn reach(&self, free: &Range<usize>) -> Range<usize> {
+        // The limit of snap at a knot is to the next.
+        let first = (2 * free.start).saturating_sub(7);
+        first..(2 * free.end + 1).min(self.knots.len())
     }
 
     /// The first coefficient and the basis at a knot.
-    fn basis(&self, k: usize) -> (usize, &[[f64; 4]; 3]) {
-        if k.is_multiple_of(2) && k + 1 == self.knots.len() {
-            (k / 2 - 1, &self.basis[2])
-        } else {
-            (k / 2, &self.basis[k % 2])
-        }
+    fn basis(&self, k: usize) -> (usize, &Basis) {
+        (if k + 1 == self.knots.len() { k / 2 - 1 } else { k / 2 }, &self.basis[k])
     }
 
     /// `b`, `b'` and `b''` at a knot.
     pub(super) fn at(&self, c: &[f64], k: usize) -> [f64; 3] {
         let (first, basis) = self.basis(k);
-        let mut found = [0.0; 3];
-        for (found, row) in found.iter_mut().zip(basis) {
-            for i in 0..4 {
-                *found += row[i] * c[first + i];
-            }
-        }
-        found
+        let c = &c[first..first + 4];
+        let dot = |row: &[f64; 4]| row[0] * c[0] + row[1] * c[1] + row[2] * c[2] + row[3] * c[3];
+        [dot(&basis[0]), dot(&basis[1]), dot(&basis[2])]
     }
 
     fn rates(&self, c: &[f64], k: usize) -> Rates {
@@ -126,35 +110,95 @@ impl<'a> Retiming<'a> {
         let [first, second, third] = self.knots[k].path;
         Rates {
             b,
+            root: b.max(0.0).sqrt(),
             acceleration: second * b + first * (0.5 * slope),
             jerk: third * b + second * (1.5 * slope) + first * (0.5 * bend),
+        }
+    }
+
+    /// The `g` of the limits at a knot, and how many they are: of the velocity, of acceleration and
+    /// jerk in turns, and of the snap up to the next knot.
+    fn values(&self, k: usize, rates: &Rates, next: Option<&Rates>) -> ([f64; MOST_LIMITS], usize) {
+        let knot = &self.knots[k];
+        let [strict_a, strict_j, strict_s] = knot.strict;
+        let mut values = [0.0; MOST_LIMITS];
+        values[0] = rates.b / knot.most;
+        let mut count = 1;
+        for [a, j] in &self.bounds.scales {
+            values[count] = (rates.acceleration * *a).length_squared() * strict_a;
+            values[count + 1] = rates.b * (rates.jerk * *j).length_squared() * strict_j;
+            count += 2;
+        }
+        if let Some(next) = next {
+            let change = next.jerk * next.root - rates.jerk * rates.root;
+            let per = self.bounds.snap * knot.step;
+            let size = change.length_squared() / (per * per);
+            values[count] = 0.5 * (rates.b + next.b) * size * strict_s;
+            count += 1;
+        }
+        (values, count)
+    }
+
+    /// Calls with each knot of a range, its rates and its limits.
+    fn each(&self, c: &[f64], range: Range<usize>, call: &mut dyn FnMut(usize, &Rates, &[f64])) {
+        if range.is_empty() {
+            return;
+        }
+        let mut rates = self.rates(c, range.start);
+        for k in range {
+            let next = (k + 1 < self.knots.len()).then(|| self.rates(c, k + 1));
+            let (values, count) = self.values(k, &rates, next.as_ref());
+            call(k, &rates, &values[..count]);
+            rates = next.unwrap_or(rates);
+        }
+    }
+
+    /// The kind of a limit at a knot: 0 velocity, 1 acceleration, 2 jerk, 3 snap.
+    fn kind(&self, index: usize) -> usize {
+        match index {
+            0 => 0,
+            _ if index > 2 * self.bounds.scales.len() => 3,
+            _ => 2 - index % 2,
         }
     }
 
     /// The constant of at most 1 that `b` is to be multiplied by for every limit to hold.
     pub(super) fn even(&self, c: &[f64]) -> f64 {
         let mut least = 1.0_f64;
-        self.each(c, &mut |_, _, power, g| {
-            if g > 1.0 {
-                least = least.min(match power {
-                    1 => 1.0 / g,
-                    2 => 1.0 / g.sqrt(),
-                    3 => 1.0 / g.cbrt(),
-                    _ => 1.0 / g.sqrt().sqrt(),
-                });
+        self.each(c, 0..self.knots.len(), &mut |_, _, values| {
+            for (index, g) in values.iter().copied().enumerate() {
+                if g > 1.0 {
+                    least = least.min(match self.kind(index) {
+                        0 => 1.0 / g,
+                        1 => 1.0 / g.sqrt(),
+                        2 => 1.0 / g.cbrt(),
+                        _ => 1.0 / g.sqrt().sqrt(),
+                    });
+                }
             }
         });
         least
     }
 
-    /// Improves the coefficients of `b`; `true` where every limit holds.
-    pub(super) fn improve(&self, c: &mut [f64], [start, end]: [f64; 2], rounds: usize) -> bool {
-        let n = c.len();
+    /// Improves the free ones of the coefficients of `b`; `true` where every limit holds that they
+    /// act on.
+    pub(super) fn improve(
+        &self,
+        c: &mut [f64],
+        free: Range<usize>,
+        [start, end]: [f64; 2],
+        rounds: usize,
+    ) -> bool {
+        let range = self.reach(&free);
+        // The first coefficient that acts there, and how many do.
+        let base = range.start / 2;
+        let n = c.len().min(range.end / 2 + 4) - base;
+        let inner = free.start - base..free.end - base;
         let mut rows: Rows = vec![[0.0; 4]; n];
         let mut right = vec![0.0; n];
         let mut gradient = vec![0.0; n];
-        let mut trial = vec![0.0; n];
-        let mut slack = vec![[f64::INFINITY; 3]; self.knots.len()];
+        let mut old = vec![0.0; n];
+        let mut slack = vec![[f64::INFINITY; 3]; range.len()];
         let mut weight = start;
         let mut feasible = false;
         let mut size = 1.0;
@@ -162,28 +206,29 @@ impl<'a> Retiming<'a> {
         for round in 0..rounds {
             // What holds once is never broken again: the barriers see to it.
             if !feasible {
-                feasible = self.widen(c, &mut slack);
+                feasible = self.widen(c, &range, &mut slack);
                 if feasible && round > 0 {
                     weight = weight.max(start);
                 }
-                now = self.merit(c, &slack);
+                now = self.merit(c, &range, &slack);
             }
-            self.assemble(c, &slack, weight, &mut rows, &mut right);
+            self.assemble(c, &range, &slack, weight, &mut rows, &mut right);
             gradient.copy_from_slice(&right);
-            if !banded::solve(&mut rows, &mut right) {
+            if !banded::solve(&mut rows[inner.clone()], &mut right[inner.clone()]) {
                 break;
             }
             let mut descent = 0.0;
-            for i in 0..n {
+            for i in inner.clone() {
                 descent += gradient[i] * right[i];
             }
             let mut accepted = false;
             size = (2.0_f64 * size).min(1.0);
+            old.copy_from_slice(&c[base..base + n]);
             while size > 1.0e-4 {
-                for i in 0..n {
-                    trial[i] = c[i] + size * right[i];
+                for i in inner.clone() {
+                    c[base + i] = old[i] + size * right[i];
                 }
-                let then = self.merit(&trial, &slack);
+                let then = self.merit(c, &range, &slack);
                 if sum(then, weight) <= sum(now, weight) - 0.1 * size * descent {
                     accepted = true;
                     now = then;
@@ -191,10 +236,10 @@ impl<'a> Retiming<'a> {
                 }
                 size *= 0.5;
             }
-            if accepted {
-                c.copy_from_slice(&trial);
+            if !accepted {
+                c[base..base + n].copy_from_slice(&old);
             }
-            let small = descent < 0.5 * weight * self.knots.len() as f64;
+            let small = descent < 0.5 * weight * range.len() as f64;
             if feasible && (!accepted || small || size > 0.5) {
                 if weight <= end && (small || !accepted) {
                     break;
@@ -204,70 +249,52 @@ impl<'a> Retiming<'a> {
                 break;
             }
         }
-        feasible || self.widen(c, &mut slack)
+        feasible || self.widen(c, &range, &mut slack)
     }
 
     /// Widens limits that are broken, and draws in those that were; `true` where none is wide.
-    fn widen(&self, c: &[f64], slack: &mut [Slack]) -> bool {
-        let mut found = vec![[0.0_f64; 3]; slack.len()];
-        self.each(c, &mut |k, group, _, g| found[k][group] = found[k][group].max(g));
+    fn widen(&self, c: &[f64], range: &Range<usize>, slack: &mut [Slack]) -> bool {
         let mut feasible = true;
-        for (wide, found) in slack.iter_mut().zip(&found) {
-            for (wide, g) in wide.iter_mut().zip(found) {
+        self.each(c, range.clone(), &mut |k, _, values| {
+            let mut found = [0.0_f64; 3];
+            for (index, g) in values.iter().enumerate() {
+                let group = GROUPS[self.kind(index)];
+                found[group] = found[group].max(*g);
+            }
+            for (wide, g) in slack[k - range.start].iter_mut().zip(found) {
                 let now = (1.1 * g).max(1.0);
-                *wide = if *g < 1.0 { 1.0 } else { wide.min(now) };
+                *wide = if g < 1.0 { 1.0 } else { wide.min(now) };
                 feasible &= *wide <= 1.0;
             }
-        }
+        });
         feasible
-    }
-
-    /// Calls with the knot, the kind of limit, the power of an even `b` that it grows with, and `g`.
-    fn each(&self, c: &[f64], call: &mut dyn FnMut(usize, usize, u8, f64)) {
-        let mut next = self.rates(c, 0);
-        for (k, knot) in self.knots.iter().enumerate() {
-            let rates = next;
-            let [strict_a, strict_j, strict_s] = knot.strict;
-            call(k, 0, 1, rates.b / knot.most);
-            for [a, j] in &self.bounds.scales {
-                call(k, 1, 2, (rates.acceleration * *a).length_squared() * strict_a);
-                call(k, 1, 3, rates.b * (rates.jerk * *j).length_squared() * strict_j);
-            }
-            if k + 1 < self.knots.len() {
-                next = self.rates(c, k + 1);
-                let change =
-                    next.jerk * next.b.max(0.0).sqrt() - rates.jerk * rates.b.max(0.0).sqrt();
-                let per = self.bounds.snap * self.step;
-                let size = change.length_squared() / (per * per);
-                call(k, 2, 4, 0.5 * (rates.b + next.b) * size * strict_s);
-            }
-        }
     }
 
     /// The time in steps, and what the barriers of limits that hold and of those that do not add at
     /// weight 1; infinite outside the limits.
-    fn merit(&self, c: &[f64], slack: &[Slack]) -> [f64; 3] {
+    fn merit(&self, c: &[f64], range: &Range<usize>, slack: &[Slack]) -> [f64; 3] {
         let mut found = [0.0; 3];
-        for (i, tied) in ties(c.len()) {
+        for (i, tied) in self.ties(c.len()) {
             found[0] += 0.5 * TIE * (c[i] - c[tied]) * (c[i] - c[tied]);
         }
         // Logarithms are dear: one for many factors.
         let mut products = [1.0_f64; 2];
         let mut inside = true;
-        self.each(c, &mut |k, group, power, g| {
-            // The first kind is b over what it may be at most.
-            if power == 1 {
-                let b = g * self.knots[k].most;
-                inside &= b > 0.0;
-                found[0] += 1.0 / b.sqrt();
+        self.each(c, range.clone(), &mut |k, rates, values| {
+            inside &= rates.b > 0.0;
+            found[0] += self.knots[k].share / rates.root;
+            for (index, g) in values.iter().enumerate() {
+                let slack = slack[k - range.start][GROUPS[self.kind(index)]];
+                let wide = usize::from(slack > 1.0);
+                let room = if slack > 1.0 { 1.0 - g / slack } else { 1.0 - g };
+                inside &= room > 0.0;
+                products[wide] *= room;
             }
-            let wide = usize::from(slack[k][group] > 1.0);
-            let room = 1.0 - g / slack[k][group];
-            inside &= room > 0.0;
-            products[wide] *= room;
-            if products[wide] < 1.0e-100 {
-                found[wide + 1] -= products[wide].ln();
-                products[wide] = 1.0;
+            for (product, found) in products.iter_mut().zip(&mut found[1..]) {
+                if *product < 1.0e-100 {
+                    *found -= product.ln();
+                    *product = 1.0;
+                }
             }
         });
         if !inside {
@@ -279,152 +306,167 @@ impl<'a> Retiming<'a> {
     }
 
     /// Writes the equations of Newton's step.
+    ///
+    /// What a limit at one knot adds is put together by `b`, `b'` and `b''` there, and carried over to
+    /// the coefficients once for all of them. Of the second derivatives of the barriers only the part
+    /// that is never negative is kept.
     fn assemble(
         &self,
         c: &[f64],
+        range: &Range<usize>,
         slack: &[Slack],
         weight: f64,
-        rows: &mut Rows,
+        rows: &mut [[f64; 4]],
         right: &mut [f64],
     ) {
         rows.fill([1.0e-9, 0.0, 0.0, 0.0]);
         right.fill(0.0);
-        let mut system = System { rows, right, weight };
-        let mut next = self.local(0);
-        let mut next_rates = self.rates(c, 0);
-        for (k, knot) in self.knots.iter().enumerate() {
-            let (local, rates) = (next, next_rates);
-            let (b, root) = (rates.b, rates.b.sqrt());
+        let base = range.start / 2;
+        let barrier = |slack: f64, g: f64| {
+            let weight = if slack > 1.0 { weight.max(DRAWN) } else { weight };
+            let one = weight / (slack - g);
+            (one, one / (slack - g))
+        };
+        let mut rates = self.rates(c, range.start);
+        for k in range.clone() {
+            let knot = &self.knots[k];
+            let Rates { b, root, .. } = rates;
+            let [tangent, second, third] = knot.path;
             let [strict_a, strict_j, strict_s] = knot.strict;
-            let (at, values) = (local.first, local.values);
-            system.time(at, &values, b, root);
-            let most = 1.0 / knot.most;
-            let slopes = values.map(|value| value * most);
-            let none = [DVec3::ZERO; 4];
-            let velocity = Term { g: b * most, slopes, values: none, weight: 0.0 };
-            system.add(at, slack[k][0], &velocity);
+            let (first, basis) = self.basis(k);
+            let slack = &slack[k - range.start];
+            let place = first - base;
+            // The time 1/√b, and the velocity.
+            let mut local = Local::default();
+            let slope = 0.5 * knot.share / (b * root);
+            let (one, two) = barrier(slack[0], b / knot.most);
+            local.right[0] = slope - one / knot.most;
+            local.matrix[0] = 1.5 * slope / b + two / (knot.most * knot.most);
             for [a, j] in &self.bounds.scales {
                 let value = rates.acceleration * *a;
-                let values = local.accelerations.map(|one| one * *a);
-                let slopes = values.map(|one| 2.0 * strict_a * one.dot(value));
-                let g = value.length_squared() * strict_a;
-                system.add(at, slack[k][1], &Term { g, slopes, values, weight: strict_a });
+                let values = [second * *a, tangent * *a * 0.5, DVec3::ZERO];
+                let (one, two) = barrier(slack[1], value.length_squared() * strict_a);
+                local.add(&values, value, 0.0, [one * strict_a, two * strict_a * strict_a]);
                 let value = rates.jerk * *j;
-                let values = local.jerks.map(|one| one * *j);
+                let values = [third * *j, second * *j * 1.5, tangent * *j * 0.5];
                 let size = value.length_squared();
-                let mut slopes = [0.0; 4];
-                for i in 0..4 {
-                    slopes[i] =
-                        strict_j * (size * local.values[i] + 2.0 * b * values[i].dot(value));
-                }
-                let g = b * size * strict_j;
-                system.add(at, slack[k][1], &Term { g, slopes, values, weight: strict_j * b });
+                let (one, two) = barrier(slack[1], b * size * strict_j);
+                // b |value|²: as if it were b times the slopes, and |value|² more by b itself.
+                let factors = [one * strict_j * b, two * strict_j * strict_j * b * b];
+                local.add(&values, value, size / b, factors);
             }
+            local.carry(basis, &mut rows[place..place + 4], &mut right[place..place + 4]);
             if k + 1 == self.knots.len() {
                 break;
             }
-            next = self.local(k + 1);
-            next_rates = self.rates(c, k + 1);
-            let next_root = next_rates.b.sqrt();
-            let change = next_rates.jerk * next_root - rates.jerk * root;
-            let per = self.bounds.snap * self.step;
-            let per = strict_s / (per * per);
-            let mean = 0.5 * (b + next_rates.b);
+            let next = self.rates(c, k + 1);
+            let (next_first, next_basis) = self.basis(k + 1);
+            let change = next.jerk * next.root - rates.jerk * root;
+            let per = self.bounds.snap * knot.step;
+            let strict_s = strict_s / (per * per);
+            let mean = 0.5 * (b + next.b);
             let size = change.length_squared();
-            // Both knots are in one interval of the spline, whose coefficients are those of `at`.
-            let shift = next.first - at;
+            let (one, two) = barrier(slack[2], mean * size * strict_s);
+            // Both knots are in one interval of the spline, whose coefficients are those of the first.
             let mut values = [DVec3::ZERO; 4];
             let mut slopes = [0.0; 4];
-            for i in 0..4 {
-                values[i] -= local.jerks[i] * root + rates.jerk * (local.values[i] / (2.0 * root));
-                slopes[i] += 0.5 * local.values[i] * size * per;
-                if i + shift < 4 {
-                    let more = next_rates.jerk * (next.values[i] / (2.0 * next_root));
-                    values[i + shift] += next.jerks[i] * next_root + more;
-                    slopes[i + shift] += 0.5 * next.values[i] * size * per;
+            let ends =
+                [(k, &rates, basis, 0, -1.0), (k + 1, &next, next_basis, next_first - first, 1.0)];
+            for (k, rates, basis, shift, sign) in ends {
+                let [tangent, second, third] = self.knots[k].path;
+                let root = sign * rates.root;
+                let by = [
+                    third * root + rates.jerk * (0.5 / root),
+                    second * (1.5 * root),
+                    tangent * (0.5 * root),
+                ];
+                for i in shift..4 {
+                    let j = i - shift;
+                    values[i] += by[0] * basis[0][j] + by[1] * basis[1][j] + by[2] * basis[2][j];
+                    slopes[i] += 0.5 * basis[0][j] * size * strict_s;
                 }
             }
+            let bend = 2.0 * one * mean * strict_s;
             for i in 0..4 {
-                slopes[i] += 2.0 * mean * per * values[i].dot(change);
+                slopes[i] += 2.0 * mean * strict_s * values[i].dot(change);
             }
-            let g = mean * size * per;
-            system.add(at, slack[k][2], &Term { g, slopes, values, weight: mean * per });
+            for i in 0..4 {
+                right[place + i] -= one * slopes[i];
+                let row = &mut rows[place + i];
+                let (along, value) = (two * slopes[i], values[i] * bend);
+                for j in 0..=i {
+                    row[i - j] += along * slopes[j] + value.dot(values[j]);
+                }
+            }
+            rates = next;
         }
-        for (i, tied) in ties(c.len()) {
-            let gap = c[i] - c[tied];
-            system.right[i] -= TIE * gap;
-            system.right[tied] += TIE * gap;
-            system.rows[i][0] += TIE;
-            system.rows[tied][0] += TIE;
-            system.rows[i][1] -= TIE;
+        for (i, tied) in self.ties(c.len()) {
+            if tied >= base && i < base + right.len() {
+                let gap = c[i] - c[tied];
+                right[i - base] -= TIE * gap;
+                right[tied - base] += TIE * gap;
+                rows[i - base][0] += TIE;
+                rows[tied - base][0] += TIE;
+                rows[i - base][1] -= TIE;
+            }
         }
     }
 
-    /// The derivatives of the rates at a knot by its coefficients.
-    fn local(&self, k: usize) -> Local {
-        let (first, [values, slopes, bends]) = self.basis(k);
-        let [tangent, second, third] = self.knots[k].path;
-        let mut local = Local { first, values: *values, ..Local::default() };
-        for i in 0..4 {
-            local.accelerations[i] = second * values[i] + tangent * (0.5 * slopes[i]);
-            local.jerks[i] =
-                third * values[i] + second * (1.5 * slopes[i]) + tangent * (0.5 * bends[i]);
-        }
-        local
+    /// The coefficients that are held together: each, and the one before it.
+    fn ties(&self, n: usize) -> impl Iterator<Item = (usize, usize)> {
+        let [start, end] = self.tied;
+        let ends = [(1, start), (2, start), (3, start), (n - 3, end), (n - 2, end), (n - 1, end)];
+        ends.into_iter().filter(|(_, tied)| *tied).map(|(i, _)| (i, i - 1))
     }
 }
+
+/// Which of the slacks each kind of limit has.
+const GROUPS: [usize; 4] = [0, 1, 1, 2];
 
 /// The merit: the time with the barriers at their weights.
 fn sum([time, held, broken]: [f64; 3], weight: f64) -> f64 {
     time + weight * held + weight.max(DRAWN) * broken
 }
 
-/// The derivatives of the rates at a knot by its coefficients.
+/// Newton's equations by `b`, `b'` and `b''` at a knot: the lower half of the matrix row by row.
 #[derive(Debug, Clone, Copy, Default)]
 struct Local {
-    first: usize,
-    values: [f64; 4],
-    accelerations: [DVec3; 4],
-    jerks: [DVec3; 4],
+    right: [f64; 3],
+    matrix: [f64; 6],
 }
 
-/// The coefficients that are held together: each, and the one before it.
-fn ties(n: usize) -> [(usize, usize); 6] {
-    [1, 2, 3, n - 3, n - 2, n - 1].map(|i| (i, i - 1))
-}
-
-/// Newton's equations while they are put together.
-struct System<'a> {
-    rows: &'a mut Rows,
-    right: &'a mut [f64],
-    weight: f64,
-}
-
-impl System<'_> {
-    /// Adds the time `1/√b`.
-    fn time(&mut self, first: usize, values: &[f64; 4], b: f64, root: f64) {
-        let slope = 0.5 / (b * root);
-        let bend = 1.5 * slope / b;
-        for i in 0..4 {
-            self.right[first + i] += slope * values[i];
+impl Local {
+    /// Adds the barrier of `|value|²`, whose derivatives are `values`, and to whose slope by `b`
+    /// `more` is added; its first and second derivative are the factors.
+    fn add(&mut self, values: &[DVec3; 3], value: DVec3, more: f64, [one, two]: [f64; 2]) {
+        let mut slopes = values.map(|slope| 2.0 * slope.dot(value));
+        slopes[0] += more;
+        let mut place = 0;
+        for i in 0..3 {
+            self.right[i] -= one * slopes[i];
             for j in 0..=i {
-                self.rows[first + i][i - j] += bend * values[i] * values[j];
+                self.matrix[place] +=
+                    two * slopes[i] * slopes[j] + 2.0 * one * values[i].dot(values[j]);
+                place += 1;
             }
         }
     }
 
-    /// Adds a barrier; of its second derivative, the part that is never negative.
-    fn add(&mut self, first: usize, slack: f64, term: &Term) {
-        let weight = if slack > 1.0 { self.weight.max(DRAWN) } else { self.weight };
-        let one = weight / (slack - term.g);
-        let two = one / (slack - term.g);
-        let bend = 2.0 * one * term.weight;
+    /// Carries them over to the four coefficients.
+    fn carry(&self, basis: &Basis, rows: &mut [[f64; 4]], right: &mut [f64]) {
+        let [m00, m10, m11, m20, m21, m22] = self.matrix;
         for i in 0..4 {
-            self.right[first + i] -= one * term.slopes[i];
-            let row = &mut self.rows[first + i];
+            let [x, y, z] = [basis[0][i], basis[1][i], basis[2][i]];
+            right[i] += self.right[0] * x + self.right[1] * y + self.right[2] * z;
+            let along = [
+                m00 * x + m10 * y + m20 * z,
+                m10 * x + m11 * y + m21 * z,
+                m20 * x + m21 * y + m22 * z,
+            ];
+            let row = &mut rows[i];
             for j in 0..=i {
-                row[i - j] += two * term.slopes[i] * term.slopes[j]
-                    + bend * term.values[i].dot(term.values[j]);
+                row[i - j] +=
+                    along[0] * basis[0][j] + along[1] * basis[1][j] + along[2] * basis[2][j];
             }
         }
     }

@@ -1,13 +1,16 @@
 //! The law of a run: a first law, made faster, once more by its own time, judged and repaired.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use super::course::{Course, across};
 use super::law::{Phase, State};
 use super::ramp::{Rates, cruise};
-use super::reference::reference;
+use super::reference::{reference, state};
 use super::retime::{Bounds, Knot, Retiming};
-use super::verify::{Excess, verify};
+use super::spline::{Basis, bases};
+use super::verify::{BETWEEN, factor, verify};
 use crate::motion::{Limits, Piece};
 
 /// What is left to rounding, and between knots.
@@ -19,17 +22,32 @@ const ROUNDED: f64 = 1.0 - 1.0e-6;
 /// What a run that begins or ends on the move does so at, in parts of its cap.
 const EVEN: f64 = 0.999;
 
+/// What changes of the jerk are held to between two knots, inversely squared.
+const CHANGES: f64 = 1.04;
+
 /// What a peak may exceed the places by where a law is looked at, as a factor on time.
 const SURE: f64 = 1.0004;
 
 /// How often what is broken between knots is made stricter there.
-const REPAIRS: usize = 4;
+const REPAIRS: usize = 12;
 
-/// A factor on time that no repair is worth.
-const ENOUGH: f64 = 1.002;
+/// In how many rounds of that the law is sought again; in others it is slowed down.
+const SOUGHT: usize = 2;
+
+/// How far about such a place it is slowed down, in the time that jerk needs to reach its limit.
+const DIP: f64 = 3.0;
+
+/// How much more is taken than what it exceeds.
+const DEEPER: f64 = 1.3;
+
+/// Coefficients on either side of such a place that are sought again.
+const MARGIN: usize = 16;
 
 /// Distance of knots, in the time that jerk needs to reach its limit.
 const RESOLUTION: f64 = 0.3;
+
+/// Knots on a corner.
+const ON_CORNER: f64 = 14.0;
 
 /// The law of a run within the limits.
 pub(in crate::motion) fn law(course: &Course, limits: &Limits) -> Vec<Phase> {
@@ -38,11 +56,15 @@ pub(in crate::motion) fn law(course: &Course, limits: &Limits) -> Vec<Phase> {
     }
     let bounds = bounds(limits);
     let step = (RESOLUTION * limits.jerk / limits.snap()).max(0.5 * limits.period);
-    let (states, coarse) = reference(course, limits, 2.0 * step);
-    let (first, _) = faster(course, limits, &bounds, &states, coarse, [0.3, 1.0e-2], 0);
-    let (states, step) = resample(&first, course, step);
-    let (mut law, worst) = faster(course, limits, &bounds, &states, step, [0.05, 1.0e-3], REPAIRS);
-    let factor = worst * SURE;
+    let (at, span) = reference(course, limits, 2.0 * step);
+    let borders = (0..at.len() - 3).map(|k| span * k as f64).collect();
+    let mut first = Stage::new(course, limits, &bounds, &at, span, borders);
+    first.improve([0.3, 1.0e-2]);
+    let (at, span, borders) = resample(&first.law, course, step);
+    let mut stage = Stage::new(course, limits, &bounds, &at, span, borders);
+    stage.improve([0.05, 1.0e-3]);
+    let factor = stage.repair() * SURE;
+    let mut law = stage.law;
     if factor > 1.0 {
         for phase in &mut law {
             *phase = phase.stretched(factor);
@@ -72,11 +94,17 @@ fn bounds(limits: &Limits) -> Bounds {
             scales.push([unit / axes.acceleration[axis], unit / axes.jerk[axis]]);
         }
     }
-    Bounds { scales, snap: limits.snap() }
+    Bounds { scales, snap: BETWEEN * limits.snap() }
 }
 
 /// The path at the states of a law.
-fn knots(course: &Course, limits: &Limits, states: &[State]) -> Vec<Knot> {
+fn knots(
+    course: &Course,
+    limits: &Limits,
+    states: &[State],
+    times: &[f64],
+    span: f64,
+) -> Vec<Knot> {
     let mut at = 0;
     let last = states.len() - 1;
     let strict = 1.0 / (SHARE * SHARE);
@@ -104,53 +132,217 @@ fn knots(course: &Course, limits: &Limits, states: &[State]) -> Vec<Knot> {
         ];
         // Half of the jerk is left to a step of curvature.
         let jerk = if steps { 4.0 * strict } else { strict };
-        knots.push(Knot { path, most, strict: [strict, jerk, strict] });
+        let step = times[(k + 1).min(last)] - times[k];
+        let share = (times[(k + 1).min(last)] - times[k.saturating_sub(1)]) / span;
+        knots.push(Knot { path, most, step, share, strict: [strict, jerk, strict * CHANGES] });
     }
     knots
 }
 
-/// Makes a law faster; returns by what factor on time its limits then still are broken.
-fn faster(
-    course: &Course,
-    limits: &Limits,
-    bounds: &Bounds,
-    states: &[State],
-    step: f64,
-    weights: [f64; 2],
-    repairs: usize,
-) -> (Vec<Phase>, f64) {
-    let mut knots = knots(course, limits, states);
-    let retiming = Retiming::new(&knots, bounds, step);
-    let mut c = vec![1.0; retiming.coefficients()];
-    slow(&retiming, &mut c);
-    let start = c.clone();
-    retiming.improve(&mut c, weights, 60);
-    let mut law = phases(&retiming, states, step, &c);
-    let mut found = verify(course, limits, bounds, &law);
-    // Of all attempts the one that is shortest when it is within its limits.
-    let mut best = law;
-    let mut factor = found.factor;
-    for _ in 0..repairs {
-        if found.factor <= ENOUGH || !found.factor.is_finite() {
-            break;
+/// A law that is made faster.
+struct Stage<'a> {
+    course: &'a Course,
+    limits: &'a Limits,
+    bounds: &'a Bounds,
+    /// The law that was given, at the knots.
+    states: Vec<State>,
+    knots: Vec<Knot>,
+    /// The intervals of the spline [s]; each has a knot at its start and one half-way.
+    borders: Vec<f64>,
+    bases: Vec<Basis>,
+    /// The coefficients of the square of the rate that it is run at.
+    c: Vec<f64>,
+    /// The law that comes of it.
+    law: Vec<Phase>,
+}
+
+impl<'a> Stage<'a> {
+    fn new(
+        course: &'a Course,
+        limits: &'a Limits,
+        bounds: &'a Bounds,
+        at: &[f64],
+        span: f64,
+        borders: Vec<f64>,
+    ) -> Self {
+        let mut times = Vec::with_capacity(2 * borders.len());
+        for pair in borders.windows(2) {
+            times.extend([pair[0], f64::midpoint(pair[0], pair[1])]);
         }
-        tighten(&mut knots, &found);
-        let retiming = Retiming::new(&knots, bounds, step);
-        slow(&retiming, &mut c);
-        retiming.improve(&mut c, weights, 60);
-        law = phases(&retiming, states, step, &c);
-        found = verify(course, limits, bounds, &law);
-        if found.factor.is_finite() && length(&law) * found.factor.max(1.0) < length(&best) * factor
-        {
-            (best, factor) = (law, found.factor.max(1.0));
+        times.extend(borders.last());
+        let states: Vec<State> = times.iter().map(|time| state(at, span, *time)).collect();
+        let knots = knots(course, limits, &states, &times, span);
+        let c = vec![1.0; borders.len() + 2];
+        let bases = bases(&borders);
+        Self { course, limits, bounds, states, knots, borders, bases, c, law: Vec::new() }
+    }
+
+    fn retiming(&self) -> Retiming<'_> {
+        Retiming::new(&self.knots, self.bounds, &self.bases, [true; 2])
+    }
+
+    /// Makes all of the law faster.
+    fn improve(&mut self, weights: [f64; 2]) {
+        let mut c = std::mem::take(&mut self.c);
+        let retiming = self.retiming();
+        // Slowed down evenly, so that limits hold at the knots and the barriers are finite.
+        let even = 0.97 * retiming.even(&c);
+        for one in &mut c {
+            *one *= even;
         }
+        let all = 0..c.len();
+        retiming.improve(&mut c, all, weights, 60);
+        self.c = c;
+        self.law.clear();
+        self.phases(0..self.knots.len() - 1);
     }
-    if !factor.is_finite() {
-        let retiming = Retiming::new(&knots, bounds, step);
-        best = phases(&retiming, states, step, &start);
-        factor = verify(course, limits, bounds, &best).factor;
+
+    /// Writes phases of the law.
+    fn phases(&mut self, range: Range<usize>) {
+        let mut law = std::mem::take(&mut self.law);
+        let retiming = self.retiming();
+        let state = |k: usize| -> (State, [f64; 3]) {
+            let now = retiming.at(&self.c, k);
+            let [b, slope, bend] = now;
+            let [s, v, a, j] = self.states[k];
+            let root = b.sqrt();
+            let jerk = root * (j * b + 1.5 * a * slope + 0.5 * v * bend);
+            ([s, v * root, a * b + 0.5 * v * slope, jerk], now)
+        };
+        let mut last = state(range.start);
+        for k in range {
+            let next = state(k + 1);
+            let time = time(last.1, next.1, self.knots[k].step);
+            let phase = Phase::between(time, last.0, next.0);
+            if k < law.len() {
+                law[k] = phase;
+            } else {
+                law.push(phase);
+            }
+            last = next;
+        }
+        self.law = law;
     }
-    (best, factor)
+
+    /// Looks at the law between its knots, and repairs it where it breaks limits; returns the factor
+    /// on time that puts right what is left.
+    fn repair(&mut self) -> f64 {
+        let mut excess = vec![[0.0; 4]; self.law.len()];
+        verify(self.course, self.limits, self.bounds, &self.law, 0..self.law.len(), &mut excess);
+        let mut best = (self.law.clone(), worst(&excess).max(1.0));
+        for round in 0..REPAIRS {
+            let ranges = self.tighten(&excess);
+            if ranges.is_empty() {
+                break;
+            }
+            let ranges = if round < SOUGHT { ranges } else { self.dip(&excess) };
+            for free in ranges {
+                if round < SOUGHT {
+                    let mut c = std::mem::take(&mut self.c);
+                    self.retiming().improve(&mut c, free.clone(), [5.0e-3, 1.0e-3], 60);
+                    self.c = c;
+                }
+                let first = (2 * free.start).saturating_sub(6);
+                let last = (2 * free.end).min(self.law.len());
+                self.phases(first..last);
+                // What follows within a period sees other jerks before it.
+                let seen = first..(last + 6).min(self.law.len());
+                verify(self.course, self.limits, self.bounds, &self.law, seen, &mut excess);
+            }
+            let factor = worst(&excess).max(1.0);
+            if length(&self.law) * factor < length(&best.0) * best.1 {
+                best = (self.law.clone(), factor);
+            }
+        }
+        let factor = worst(&excess);
+        if length(&best.0) * best.1 < length(&self.law) * factor.max(1.0) {
+            self.law = best.0;
+            return best.1;
+        }
+        factor
+    }
+
+    /// Slows down gently about phases that exceed limits.
+    fn dip(&mut self, excess: &[[f64; 4]]) -> Vec<Range<usize>> {
+        let mut ranges = Vec::new();
+        let Limits { acceleration, jerk, .. } = *self.limits;
+        let mut k = 0;
+        while k < excess.len() {
+            let from = self.borders[k / 2];
+            let (mut to, mut worst) = (from, 0.0_f64);
+            // So wide that what slowing down itself takes is less than what it gives.
+            let v = self.states[k][1].max(0.0);
+            let wide = (v / jerk).sqrt().max(v / acceleration);
+            let reach = wide.max(DIP * jerk / self.limits.snap());
+            // Those that are close are one, or slowing down would have a kink between them.
+            while k < excess.len() && self.borders[k / 2] - to < reach {
+                let factor = factor(&excess[k]) * SURE;
+                if factor > 1.0 {
+                    (to, worst) = (self.borders[k / 2 + 1], worst.max(factor));
+                } else if worst == 0.0 {
+                    break;
+                }
+                k += 1;
+            }
+            k += usize::from(worst == 0.0);
+            if worst > 0.0 {
+                let part = (DEEPER * (1.0 - 1.0 / (worst * worst)) + 2.0e-4).min(0.5);
+                let mut changed = self.c.len()..0;
+                let last = self.borders.len() - 1;
+                for (i, c) in self.c.iter_mut().enumerate() {
+                    // Where the coefficient has its place in the spline.
+                    let border = |k: usize| self.borders[k.saturating_sub(2).min(last)];
+                    let place = (border(i) + border(i + 1) + border(i + 2)) / 3.0;
+                    let off = (place.clamp(from, to) - place) / reach;
+                    if off.abs() < 8.0 {
+                        let bump = 1.0 / (1.0 + off * off / 8.0);
+                        *c *= 1.0 - part * bump * bump * bump * bump;
+                        changed.start = changed.start.min(i);
+                        changed.end = i + 1;
+                    }
+                }
+                ranges.push(changed);
+            }
+        }
+        ranges
+    }
+
+    /// Takes from knots beside a phase what it exceeds its limits by; returns which coefficients are
+    /// to be sought again.
+    fn tighten(&mut self, excess: &[[f64; 4]]) -> Vec<Range<usize>> {
+        let mut ranges: Vec<Range<usize>> = Vec::new();
+        for (k, ratios) in excess.iter().enumerate() {
+            if factor(ratios) * SURE <= 1.0 {
+                continue;
+            }
+            let first = k.saturating_sub(1);
+            let last = (k + 3).min(self.knots.len());
+            for knot in &mut self.knots[first..last] {
+                for (strict, ratio) in knot.strict.iter_mut().zip(ratios) {
+                    if *ratio > 1.0 {
+                        // Knots share: more than the square of the ratio is needed.
+                        *strict *= (ratio * ratio * 1.003).min(4.0);
+                    }
+                }
+            }
+            let from = (k / 2).saturating_sub(MARGIN);
+            let to = (k / 2 + 3 + MARGIN).min(self.c.len());
+            match ranges.last_mut() {
+                Some(range) if range.end + 4 >= from => range.end = to,
+                _ => ranges.push(from..to),
+            }
+        }
+        ranges
+    }
+}
+
+/// The factor on time that puts all phases right.
+fn worst(excess: &[[f64; 4]]) -> f64 {
+    let mut worst = 0.0_f64;
+    for one in excess {
+        worst = worst.max(factor(one));
+    }
+    worst
 }
 
 /// How long a law lasts [s].
@@ -162,51 +354,8 @@ fn length(law: &[Phase]) -> f64 {
     time
 }
 
-/// Slows down evenly, so that limits hold at the knots and the barriers are finite.
-fn slow(retiming: &Retiming, c: &mut [f64]) {
-    let even = 0.97 * retiming.even(c);
-    for one in c {
-        *one *= even;
-    }
-}
-
-/// Takes from knots beside a phase what it exceeds its limits by.
-fn tighten(knots: &mut [Knot], found: &Excess) {
-    for (k, ratios) in found.phases.iter().enumerate() {
-        let first = k.saturating_sub(1);
-        let last = (k + 3).min(knots.len());
-        for knot in &mut knots[first..last] {
-            for (strict, ratio) in knot.strict.iter_mut().zip(ratios) {
-                if *ratio > 1.0 {
-                    // Knots share: more than the square of the ratio is needed.
-                    *strict *= (ratio * ratio * 1.003).min(4.0);
-                }
-            }
-        }
-    }
-}
-
-/// The phases of a law with the rate `√b`.
-fn phases(retiming: &Retiming, states: &[State], step: f64, c: &[f64]) -> Vec<Phase> {
-    let state = |k: usize| -> State {
-        let [b, slope, bend] = retiming.at(c, k);
-        let [s, v, a, j] = states[k];
-        let root = b.sqrt();
-        [s, v * root, a * b + 0.5 * v * slope, root * (j * b + 1.5 * a * slope + 0.5 * v * bend)]
-    };
-    let mut phases = Vec::with_capacity(states.len());
-    let mut last = state(0);
-    for k in 0..states.len() - 1 {
-        let next = state(k + 1);
-        phases.push(Phase::between(time(&c[k / 2..], (k % 2) as f64, step), last, next));
-        last = next;
-    }
-    phases
-}
-
-/// The time `∫ du/√b` of half an interval of the spline, the first or the second, by Gauss' rule with
-/// four places.
-fn time(c: &[f64], half: f64, step: f64) -> f64 {
+/// The time `∫ du/√b` between two knots, where `b` is a cubic, by Gauss' rule with four places.
+fn time([from, out, _]: [f64; 3], [to, on, _]: [f64; 3], step: f64) -> f64 {
     let rule = [
         (0.069_431_844_202_973_71, 0.173_927_422_568_726_93),
         (0.330_009_478_207_571_87, 0.326_072_577_431_273_07),
@@ -215,33 +364,62 @@ fn time(c: &[f64], half: f64, step: f64) -> f64 {
     ];
     let mut time = 0.0;
     for (place, weight) in rule {
-        let x = 0.5 * (place + half);
+        let x = place;
         let y = 1.0 - x;
-        let b = (y * y * y * c[0]
-            + (4.0 - 6.0 * x * x + 3.0 * x * x * x) * c[1]
-            + (4.0 - 6.0 * y * y + 3.0 * y * y * y) * c[2]
-            + x * x * x * c[3])
-            / 6.0;
+        let b = y * y * ((1.0 + 2.0 * x) * from + x * step * out)
+            + x * x * ((1.0 + 2.0 * y) * to - y * step * on);
         time += weight * step / b.sqrt();
     }
     time
 }
 
-/// The states of a law at even steps of its time; their number is odd.
-fn resample(law: &[Phase], course: &Course, step: f64) -> (Vec<State>, f64) {
-    let time = length(law);
-    let count = 2.0 * (0.5 * time / step).ceil().max(3.0);
-    let step = time / count;
-    let mut states: Vec<State> = Vec::new();
-    let mut start = 0.0;
+/// A law as a spline to begin with, with the borders between which to make it faster: closer where
+/// the path turns quickly.
+fn resample(law: &[Phase], course: &Course, step: f64) -> (Vec<f64>, f64, Vec<f64>) {
+    let count = (0.5 * length(law) / step).ceil().max(3.0);
+    let span = length(law) / count;
+    let (first, last) = match (law.first(), law.last()) {
+        (Some(first), Some(last)) => (first.at(0.0), last.at(last.duration)),
+        _ => ([0.0; 4], [0.0; 4]),
+    };
+    let mut at: Vec<f64> = Vec::new();
+    for k in [3.0, 2.0, 1.0] {
+        at.push(if course.moving[0] { first[0] - first[1] * span * k } else { 0.0 });
+    }
+    // How many parts each interval has. The spline is behind the law by one and a half of them.
+    let mut parts = vec![1; at.len() - 2];
+    let (mut start, mut next, mut piece) = (0.0, 0.0, 0);
     for phase in law {
         let end = start + phase.duration;
-        while (states.len() as f64) < count && states.len() as f64 * step <= end {
-            states.push(phase.at(states.len() as f64 * step - start));
+        while next < count && next * span <= end {
+            let [s, v, ..] = phase.at(next * span - start);
+            at.push(s);
+            course.find(s, &mut piece);
+            let fine = ON_CORNER * v * span / (2.0 * course.turning(piece));
+            parts.push(if fine > 2.0 {
+                4
+            } else if fine > 1.0 {
+                2
+            } else {
+                1
+            });
+            next += 1.0;
         }
         start = end;
     }
-    let last = law.last().map_or([0.0; 4], |phase| phase.at(phase.duration));
-    states.push(if course.moving[1] { last } else { [course.length, 0.0, 0.0, 0.0] });
-    (states, step)
+    for k in [0.0, 1.0, 2.0, 3.0] {
+        at.push(if course.moving[1] { last[0] + last[1] * span * k } else { course.length });
+    }
+    let mut borders = Vec::new();
+    for k in 0..at.len() - 4 {
+        let mut count = 1;
+        for near in k.saturating_sub(1)..(k + 3) {
+            count = count.max(parts.get(near).copied().unwrap_or(1));
+        }
+        for part in 0..count {
+            borders.push(span * (k as f64 + f64::from(part) / f64::from(count)));
+        }
+    }
+    borders.push(span * (at.len() - 4) as f64);
+    (at, span, borders)
 }

@@ -1,5 +1,7 @@
 //! How far a law exceeds limits between the places where it was made to hold them.
 
+use std::ops::Range;
+
 use glam::DVec3;
 
 use super::course::{Course, across};
@@ -11,32 +13,42 @@ use crate::motion::Limits;
 const PLACES: usize = 9;
 
 /// Part of the change of jerk in a period that is left to what lies between the places.
-const BETWEEN: f64 = 0.95;
+pub(super) const BETWEEN: f64 = 0.95;
 
 /// Halvings of a step that find the border of two pieces.
 const HALVINGS: u32 = 12;
 
-/// What was found.
-#[derive(Debug, Clone)]
-pub(super) struct Excess {
-    /// For each phase, acceleration, jerk and snap over their limits.
-    pub(super) phases: Vec<[f64; 3]>,
-    /// The factor on time that puts all right; at most 1 where nothing is wrong.
-    pub(super) factor: f64,
+/// The factor on time that puts a phase right: acceleration, jerk, snap and velocity over their limits
+/// go with its powers.
+pub(super) fn factor([a, j, s, v]: &[f64; 4]) -> f64 {
+    let factor = v.max(a.sqrt()).max(j.cbrt()).max(s.sqrt().sqrt());
+    if (a + j + s + v).is_finite() { factor } else { f64::INFINITY }
 }
 
-/// Looks at a law between its knots.
-pub(super) fn verify(course: &Course, limits: &Limits, bounds: &Bounds, law: &[Phase]) -> Excess {
-    let mut excess = Excess { phases: Vec::with_capacity(law.len()), factor: 0.0 };
+/// Looks at some phases of a law between its knots; writes their acceleration, jerk, snap and velocity
+/// over their limits.
+pub(super) fn verify(
+    course: &Course,
+    limits: &Limits,
+    bounds: &Bounds,
+    law: &[Phase],
+    range: Range<usize>,
+    excess: &mut [[f64; 4]],
+) {
     let mut at = 0;
-    let mut factor = 0.0_f64;
-    let mut broken = false;
-    // Jerks of the last period or so.
+    // Jerks of the last period or so, which begins some phases before.
     let mut before: Vec<(f64, DVec3)> = Vec::new();
     let mut oldest = 0;
     let mut start = 0.0;
-    for phase in law {
-        let mut worst = [0.0_f64; 3];
+    let mut first = range.start;
+    let mut back = 0.0;
+    while first > 0 && back < 1.5 * limits.period {
+        first -= 1;
+        back += law[first].duration;
+    }
+    for k in first..range.end {
+        let phase = &law[k];
+        let mut worst = [0.0_f64; 4];
         for time in times(course, phase, at) {
             let [s, v, a, j] = phase.at(time);
             let frame = course.frame(s, &mut at);
@@ -56,8 +68,10 @@ pub(super) fn verify(course: &Course, limits: &Limits, bounds: &Bounds, law: &[P
             }
             let chord = across(&frame) / (8.0 * limits.chord_error);
             over = over.max(v * limits.period * chord.sqrt());
-            factor = factor.max(over);
-            broken |= !(v + a + j).is_finite() || v < -1.0e-6;
+            worst[3] = worst[3].max(over);
+            if !(v + a + j).is_finite() || v < -1.0e-6 {
+                worst[3] = f64::INFINITY;
+            }
             // Against the jerk a period ago, or a little more.
             let now = start + time;
             before.push((now, jerk));
@@ -71,7 +85,7 @@ pub(super) fn verify(course: &Course, limits: &Limits, bounds: &Bounds, law: &[P
                 let (next, following) = before[oldest + 1];
                 old = old.lerp(following, (back - then) / (next - then));
             }
-            let most = BETWEEN * bounds.snap * limits.period;
+            let most = bounds.snap * limits.period;
             worst[2] = worst[2].max((jerk - old).length() / most);
             if oldest > 1000 {
                 before.drain(..oldest);
@@ -79,11 +93,10 @@ pub(super) fn verify(course: &Course, limits: &Limits, bounds: &Bounds, law: &[P
             }
         }
         start += phase.duration;
-        factor = factor.max(worst[0].sqrt()).max(worst[1].cbrt()).max(worst[2].sqrt().sqrt());
-        excess.phases.push(worst);
+        if k >= range.start {
+            excess[k] = worst;
+        }
     }
-    excess.factor = if broken { f64::INFINITY } else { factor };
-    excess
 }
 
 /// Where a phase is looked at: at even steps, and where it comes to other pieces, as jerk has a kink
