@@ -3,16 +3,21 @@
 use glam::DVec3;
 
 use super::sample::Sample;
-use super::speed::{Course, Phase, Rates, cruise, law, ramp_time, textbook};
+use super::speed::{Course, Phase, Rates, cruise, law, law_from, ramp_time, textbook};
 use super::{
     CornerCurve, Joint, Limits, LimitsError, MOST_SAMPLES, Mode, Motion, Piece, Placed,
     TrackBuilder,
 };
 use crate::contour::Move;
 
-/// A run that takes longer is cut by a stop, so that what is held in memory, and the time until
-/// samples come, stay bounded [s].
-const LONGEST_RUN: f64 = 30.0;
+/// What of a run is planned together, so that what is held in memory, and the time until samples come,
+/// stay bounded [s]. It comes to rest at its end, and what leads there is planned again with what
+/// follows.
+const WINDOW: f64 = 10.0;
+
+/// What is planned again, at least, and in ramps between rest and the largest velocity [s].
+const AGAIN: f64 = 1.0;
+const RAMPS: f64 = 4.0;
 
 /// What a run has on an even stretch beyond its ramp [s].
 const LEAD: f64 = 0.1;
@@ -48,6 +53,13 @@ pub struct Planner {
     course: Course,
     /// A long even stretch before the course, with where on it the run before ended, and its speed.
     even: Option<(Course, [f64; 2])>,
+    /// What the last law had yet to go of the course, to rest at an arc length [mm].
+    head: Vec<Phase>,
+    head_end: f64,
+    /// How long the course is to be before its beginning is handed out [s].
+    wait: f64,
+    /// How much of the end of a law is planned again [s].
+    again: f64,
     /// Rests that are asked for: before which move, and for how long [s].
     dwells: Vec<(u32, f64)>,
     /// The number of moves so far.
@@ -71,12 +83,18 @@ impl Planner {
         if limits.mode == Mode::Textbook {
             limits.corner = CornerCurve::Ph13;
         }
+        let rates = Rates::along(DVec3::ZERO, limits.velocity, &limits);
+        let again = AGAIN.max(RAMPS * ramp_time(limits.velocity, &rates));
         Ok(Self {
             limits,
             builder: TrackBuilder::new(&limits),
             track: Vec::new(),
             course: Course::default(),
             even: None,
+            head: Vec::new(),
+            head_end: 0.0,
+            wait: WINDOW.max(4.0 * again),
+            again,
             dwells: Vec::new(),
             moves: 0,
             start: 0.0,
@@ -136,8 +154,10 @@ impl Planner {
             let fast = self.limits.mode == Mode::Fast;
             let placed = if fast { self.cut(placed, motion) } else { placed };
             self.course.push(placed, &self.limits);
-            if stops || fast && self.course.time > LONGEST_RUN {
+            if stops {
                 self.run(motion);
+            } else if fast && self.course.time > self.wait {
+                self.run_on(motion);
             }
         }
         self.track = track;
@@ -197,30 +217,73 @@ impl Planner {
         self.dwells.drain(..done);
     }
 
-    /// Plans and samples the run at hand, to rest at its end.
+    /// The law of the run at hand, to rest at its end.
+    fn law(&mut self, motion: &mut Motion) -> Vec<Phase> {
+        if self.limits.mode == Mode::Textbook {
+            return textbook(&self.course, &self.limits);
+        }
+        let head = std::mem::take(&mut self.head);
+        if !head.is_empty() {
+            if let Some(law) = law_from(&self.course, &self.limits, &head) {
+                return law;
+            }
+            // What was planned before is sure: it rests where that ends.
+            self.hand_out(&head, motion);
+            self.course.forget(self.head_end);
+        }
+        law(&self.course, &self.limits)
+    }
+
+    /// Plans the run at hand, and samples what does not depend on how it goes on.
+    fn run_on(&mut self, motion: &mut Motion) {
+        let mut phases = self.law(motion);
+        let (mut left, mut cut) = (0.0, phases.len());
+        while cut > 0 && left < self.again {
+            cut -= 1;
+            left += phases[cut].duration;
+        }
+        self.head_end = self.course.length;
+        self.head = phases.split_off(cut);
+        self.hand_out(&phases, motion);
+        let on = self.head.first().map_or(0.0, |phase| phase.at(0.0)[0]);
+        let gone = self.course.forget(on);
+        for phase in &mut self.head {
+            phase.powers[0] -= gone;
+        }
+        self.head_end -= gone;
+        self.wait = self.course.time + WINDOW.max(4.0 * self.again);
+    }
+
+    /// Samples a law, and the even stretch before it.
+    fn hand_out(&mut self, phases: &[Phase], motion: &mut Motion) {
+        let Some(first) = phases.first() else { return };
+        if let Some((even, [from, speed])) = self.even.take() {
+            let [on, next, ..] = first.at(0.0);
+            let rates = even_rates(&even, &self.limits);
+            let cruise = cruise(from, even.length + on - from, [speed, next], &rates);
+            self.sample(&even, &cruise, motion);
+        }
+        let course = std::mem::take(&mut self.course);
+        self.sample(&course, phases, motion);
+        self.course = course;
+    }
+
+    /// Plans and samples the run at hand, to its end.
     fn run(&mut self, motion: &mut Motion) {
         if self.course.is_empty() {
             return;
         }
-        let plan = if self.limits.mode == Mode::Textbook { textbook } else { law };
-        let phases = plan(&self.course, &self.limits);
-        let course = std::mem::take(&mut self.course);
-        if let (Some((even, [from, speed])), Some(first)) = (self.even.take(), phases.first()) {
-            let [on, next, ..] = first.at(0.0);
-            let rates = even_rates(&even, &self.limits);
-            let phases = cruise(from, even.length + on - from, [speed, next], &rates);
-            self.sample(&even, &phases, motion);
-        }
-        self.sample(&course, &phases, motion);
-        if course.moving[1] {
+        let phases = self.law(motion);
+        self.hand_out(&phases, motion);
+        if self.course.moving[1] {
             let last = phases.last().map_or([0.0; 4], |phase| phase.at(phase.duration));
-            self.even = Some((Course::default(), [last[0] - course.length, last[1]]));
+            self.even = Some((Course::default(), [last[0] - self.course.length, last[1]]));
         }
-        self.course = course;
         let mut at = 0;
         let end = self.course.frame(self.course.length, &mut at);
         self.rest = Some((end.point, self.course.block(at)));
         self.course.clear();
+        self.wait = WINDOW.max(4.0 * self.again);
     }
 
     /// Takes samples of a law.

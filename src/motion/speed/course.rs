@@ -85,6 +85,32 @@ impl Course {
         self.moving = [false; 2];
     }
 
+    /// Forgets the pieces that end before an arc length [mm]; returns how long they were.
+    pub(in crate::motion) fn forget(&mut self, s: f64) -> f64 {
+        let mut first = 0;
+        self.find(s, &mut first);
+        let gone = self.from[first];
+        self.pieces.drain(..first);
+        self.from.drain(..first);
+        self.caps.drain(..first);
+        let mut places = 0;
+        while places + 1 < self.places.len() && self.places[places].s < gone {
+            let [place, next] = [&self.places[places], &self.places[places + 1]];
+            self.time -= (next.s - place.s) / place.speed;
+            places += 1;
+        }
+        self.places.drain(..places);
+        for from in &mut self.from {
+            *from -= gone;
+        }
+        for place in &mut self.places {
+            place.s -= gone;
+        }
+        self.length -= gone;
+        self.moving[0] = false;
+        gone
+    }
+
     /// The programmed speed on its first piece [mm/s].
     pub(in crate::motion) fn cap(&self) -> f64 {
         self.caps.first().copied().unwrap_or(0.0)

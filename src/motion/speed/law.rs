@@ -72,6 +72,29 @@ impl Phase {
     }
 }
 
+/// How long a law lasts [s].
+pub(in crate::motion) fn length(law: &[Phase]) -> f64 {
+    let mut time = 0.0;
+    for phase in law {
+        time += phase.duration;
+    }
+    time
+}
+
+/// The state of a law at a time since its start [s], or at its end.
+pub(in crate::motion) fn state_at(law: &[Phase], time: f64) -> State {
+    let mut left = time;
+    let mut state = [0.0; 4];
+    for phase in law {
+        if left <= phase.duration {
+            return phase.at(left);
+        }
+        left -= phase.duration;
+        state = phase.at(phase.duration);
+    }
+    state
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -1,7 +1,7 @@
 //! A first law: constant accelerations below the speeds that the bends allow, and then smoothed.
 
 use super::course::Course;
-use super::law::State;
+use super::law::{Phase, State, length, state_at};
 use crate::motion::Limits;
 
 /// Time over which accelerations change, in units of what the jerk needs for the largest.
@@ -13,15 +13,36 @@ const GENTLE: f64 = 0.7;
 /// What a run that begins or ends on the move does so at, in parts of its cap.
 const EVEN: f64 = 0.98;
 
+/// How much of the time of a head is followed: the rest is for braking.
+const FOLLOWED: f64 = 0.4;
+
 /// A place of the first law: arc length [mm], square of speed, acceleration and cap from there on.
 type Node = [f64; 4];
 
-/// The coefficients of a spline over time, from rest to rest, as [`states`] takes them, and their
+/// The coefficients of a spline over time, from rest to rest, as [`state`] takes them, and their
 /// distance [s], which is about twice the step asked for.
-pub(super) fn reference(course: &Course, limits: &Limits, step: f64) -> (Vec<f64>, f64) {
-    let nodes = nodes(course, limits);
+///
+/// With a head, the law that the course was run by so far, it begins as that, follows it for a while,
+/// and is not of rest; nothing where the head is too short for it.
+pub(super) fn reference(
+    course: &Course,
+    limits: &Limits,
+    step: f64,
+    head: &[Phase],
+) -> Option<(Vec<f64>, f64)> {
+    // How many coefficients follow the head, and where it then is, how fast.
+    let (mut followed, mut from) = (0, [0.0; 2]);
+    if !head.is_empty() {
+        followed = count(FOLLOWED * length(head) / step);
+        let [s, v, ..] = state_at(head, (followed as f64 - 1.5) * step);
+        from = [s, v];
+    }
+    let nodes = nodes(course, limits, from);
     let time = travel(&nodes, f64::INFINITY, &mut Vec::new());
-    let span = time / (time / (2.0 * step)).ceil().max(1.0);
+    let mut span = time / (time / (2.0 * step)).ceil().max(1.0);
+    if followed > 0 {
+        span = step;
+    }
     // Boxes one after the other make of steps of the acceleration ramps, and of those bells.
     let (mut sum, mut whole) = (0.0, 0.0);
     for pair in nodes.windows(2) {
@@ -29,13 +50,20 @@ pub(super) fn reference(course: &Course, limits: &Limits, step: f64) -> (Vec<f64
         whole += pair[1][0] - pair[0][0];
     }
     let wide = SPREAD * sum / (whole * limits.jerk);
-    let boxes =
+    let mut boxes =
         [wide, wide.min(limits.jerk / limits.snap())].map(|width| count(width / span).max(1));
+    // What they are late by is then a whole number.
+    boxes[1] += usize::from(followed > 0 && (boxes[0] + boxes[1]) % 2 > 0);
     let beyond = boxes[0] + boxes[1];
     // Where it does not rest it goes on evenly, far enough for what follows.
     let ends = [nodes[0][1].sqrt(), nodes[nodes.len() - 1][1].sqrt()].map(|speed| speed * span);
     let mut at = Vec::new();
-    if course.moving[0] {
+    if followed > 0 {
+        if followed < 3 * beyond + 4 {
+            return None;
+        }
+        at = sampled(head, span, followed);
+    } else if course.moving[0] {
         for k in (1..=beyond + 3).rev() {
             at.push(-ends[0] * k as f64);
         }
@@ -43,7 +71,7 @@ pub(super) fn reference(course: &Course, limits: &Limits, step: f64) -> (Vec<f64
         at.extend([0.0; 3]);
     }
     let first = at.len();
-    at.push(0.0);
+    at.push(from[0]);
     travel(&nodes, span, &mut at);
     // Steps of the time may round one place away or in.
     at.truncate(first + count(time / span));
@@ -53,32 +81,72 @@ pub(super) fn reference(course: &Course, limits: &Limits, step: f64) -> (Vec<f64
             at.push(course.length + ends[1] * k as f64);
         }
     }
+    let sharp = at.clone();
     for width in boxes {
         spread(&mut at, width, !course.moving[1]);
     }
-    if course.moving[0] {
+    if followed > 0 {
+        at.drain(..beyond / 2 - 1);
+        // From the head, as it was, over to what is smoothed, where both are nearly the same.
+        for (k, smooth) in at.iter_mut().enumerate().take(followed - beyond) {
+            let x = (k + 2 * beyond).saturating_sub(followed) as f64 / beyond as f64;
+            *smooth += (sharp[k] - *smooth) * (1.0 - x * x * (3.0 - 2.0 * x));
+        }
+    } else if course.moving[0] {
         at.drain(..beyond - 2);
     }
     if !course.moving[1] {
         at.extend([course.length; 3]);
     }
-    (at, span)
+    Some((at, span))
 }
 
-fn nodes(course: &Course, limits: &Limits) -> Vec<Node> {
+/// The coefficients of the spline of degree 4 that runs as a law does from its start on.
+///
+/// A cubic `p + v x + a x²/2 + j x³/6` has the coefficients `p + v g + a/2 (g² − 5/12) + j/6 (g³ − 5/4 g)`,
+/// the symmetric means of the four knots of each about its middle `g`: the first four give the state at
+/// the start exactly.
+pub(super) fn sampled(law: &[Phase], span: f64, count: usize) -> Vec<f64> {
+    let mut coefficients = Vec::with_capacity(count);
+    let (mut on, mut start) = (0, 0.0);
+    for k in 0..count {
+        let g = k as f64 - 1.5;
+        let middle = if k < 4 { 0.0 } else { g * span };
+        while on + 1 < law.len() && start + law[on].duration < middle {
+            start += law[on].duration;
+            on += 1;
+        }
+        let [mut p, v, a, j] = state_at(&law[on..], middle - start);
+        // Behind its end it goes on evenly.
+        p += v * (middle - start - law[on].duration).max(0.0);
+        let g = if k < 4 { g } else { 0.0 };
+        let (v, a, j) = (v * span, a * span * span, j * span * span * span);
+        coefficients
+            .push(p + g * v + 0.5 * (g * g - 5.0 / 12.0) * a + (g * g - 1.25) * g / 6.0 * j);
+    }
+    coefficients
+}
+
+fn nodes(course: &Course, limits: &Limits, [from, speed]: [f64; 2]) -> Vec<Node> {
     let mut nodes: Vec<Node> = Vec::with_capacity(course.places.len() + 1);
     for place in &course.places {
         // From rest to rest over the length, by the jerk alone, the mean acceleration is about this.
         let half = (0.5 * place.length).max(0.3);
         let mean = 0.5 * (limits.jerk * limits.jerk * half).cbrt();
         let acceleration = mean.min(GENTLE * limits.acceleration);
-        nodes.push([place.s, place.speed * place.speed, acceleration, place.cap]);
+        let node = [place.s, place.speed * place.speed, acceleration, place.cap];
+        if place.s > from || nodes.is_empty() {
+            nodes.push(node);
+        } else {
+            // The last place before the start stands for it.
+            nodes[0] = node;
+        }
     }
     let last = course.places.last().map_or(0.0, |place| place.cap);
     let end = if course.moving[1] { EVEN * last } else { 0.0 };
     nodes.push([course.length, end * end, 1.0, last]);
-    let start = if course.moving[0] { EVEN * nodes[0][3] } else { 0.0 };
-    nodes[0][1] = start * start;
+    let start = if course.moving[0] { EVEN * nodes[0][3] } else { speed };
+    (nodes[0][0], nodes[0][1]) = (from, start * start);
     for k in 1..nodes.len() {
         let most = nodes[k - 1][1] + 2.0 * nodes[k - 1][2] * (nodes[k][0] - nodes[k - 1][0]);
         nodes[k][1] = nodes[k][1].min(most);

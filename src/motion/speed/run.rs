@@ -5,9 +5,9 @@ use std::ops::Range;
 use glam::DVec3;
 
 use super::course::{Course, across};
-use super::law::{Phase, State};
+use super::law::{Phase, State, length};
 use super::ramp::{Rates, cruise};
-use super::reference::{reference, state};
+use super::reference::{reference, sampled, state};
 use super::retime::{Bounds, Knot, Retiming};
 use super::spline::{Basis, bases};
 use super::verify::{BETWEEN, factor, verify};
@@ -37,6 +37,9 @@ const SOUGHT: usize = 2;
 /// How far about such a place it is slowed down, in the time that jerk needs to reach its limit.
 const DIP: f64 = 3.0;
 
+/// How soon behind a head the law may be another, in the time that jerk needs to reach its limit.
+const LOOSE: f64 = 20.0;
+
 /// How much more is taken than what it exceeds.
 const DEEPER: f64 = 1.3;
 
@@ -47,30 +50,49 @@ const MARGIN: usize = 16;
 const RESOLUTION: f64 = 0.3;
 
 /// Knots on a corner.
-const ON_CORNER: f64 = 14.0;
+const ON_CORNER: f64 = 24.0;
 
 /// The law of a run within the limits.
 pub(in crate::motion) fn law(course: &Course, limits: &Limits) -> Vec<Phase> {
     if let Some(law) = along_line(course, limits) {
         return law;
     }
-    let bounds = bounds(limits);
-    let step = (RESOLUTION * limits.jerk / limits.snap()).max(0.5 * limits.period);
-    let (at, span) = reference(course, limits, 2.0 * step);
-    let borders = (0..at.len() - 3).map(|k| span * k as f64).collect();
-    let mut first = Stage::new(course, limits, &bounds, &at, span, borders);
-    first.improve([0.3, 1.0e-2]);
-    let (at, span, borders) = resample(&first.law, course, step);
-    let mut stage = Stage::new(course, limits, &bounds, &at, span, borders);
-    stage.improve([0.05, 1.0e-3]);
-    let factor = stage.repair() * SURE;
-    let mut law = stage.law;
+    let Some((mut law, factor)) = planned(course, limits, &[]) else { return Vec::new() };
     if factor > 1.0 {
         for phase in &mut law {
             *phase = phase.stretched(factor);
         }
     }
     law
+}
+
+/// The law of a run that goes on as a law before it, its head, did at first; nothing where none is
+/// found within the limits.
+pub(in crate::motion) fn law_from(
+    course: &Course,
+    limits: &Limits,
+    head: &[Phase],
+) -> Option<Vec<Phase>> {
+    let (law, factor) = planned(course, limits, head)?;
+    (factor <= 1.0).then_some(law)
+}
+
+/// A law, and the factor on time by which it still breaks limits.
+fn planned(course: &Course, limits: &Limits, head: &[Phase]) -> Option<(Vec<Phase>, f64)> {
+    let bounds = bounds(limits);
+    let step = (RESOLUTION * limits.jerk / limits.snap()).max(0.5 * limits.period);
+    let is_head = !head.is_empty();
+    let (at, span) = reference(course, limits, 2.0 * step, head)?;
+    let borders = (0..at.len() - 3).map(|k| span * k as f64).collect();
+    let mut first = Stage::new(course, limits, &bounds, &at, span, borders);
+    first.is_head = is_head;
+    first.improve([0.3, 1.0e-2]);
+    let (at, span, borders) = resample(&first.law, course, step, is_head);
+    let mut stage = Stage::new(course, limits, &bounds, &at, span, borders);
+    stage.is_head = is_head;
+    stage.improve([0.05, 1.0e-3]);
+    let factor = stage.repair() * SURE;
+    Some((stage.law, factor))
 }
 
 /// The law of a run that is a single line: ramps are the quickest that there are.
@@ -154,6 +176,8 @@ struct Stage<'a> {
     c: Vec<f64>,
     /// The law that comes of it.
     law: Vec<Phase>,
+    /// Whether it begins on the move, in a state that is kept.
+    is_head: bool,
 }
 
 impl<'a> Stage<'a> {
@@ -174,11 +198,37 @@ impl<'a> Stage<'a> {
         let knots = knots(course, limits, &states, &times, span);
         let c = vec![1.0; borders.len() + 2];
         let bases = bases(&borders);
-        Self { course, limits, bounds, states, knots, borders, bases, c, law: Vec::new() }
+        Self {
+            course,
+            limits,
+            bounds,
+            states,
+            knots,
+            borders,
+            bases,
+            c,
+            law: Vec::new(),
+            is_head: false,
+        }
+    }
+
+    /// The first coefficient that is free: three before it keep the state at the start.
+    fn first(&self) -> usize {
+        if self.is_head { 3 } else { 0 }
+    }
+
+    /// How freely a coefficient may change, from 0 to 1: behind a head more and more.
+    fn free(&self, i: usize) -> f64 {
+        if !self.is_head {
+            return 1.0;
+        }
+        let border = self.borders[i.saturating_sub(3).min(self.borders.len() - 1)];
+        let x = (border / (LOOSE * self.limits.jerk / self.limits.snap())).min(1.0);
+        x * x * (3.0 - 2.0 * x)
     }
 
     fn retiming(&self) -> Retiming<'_> {
-        Retiming::new(&self.knots, self.bounds, &self.bases, [true; 2])
+        Retiming::new(&self.knots, self.bounds, &self.bases, [!self.is_head, true])
     }
 
     /// Makes all of the law faster.
@@ -187,10 +237,10 @@ impl<'a> Stage<'a> {
         let retiming = self.retiming();
         // Slowed down evenly, so that limits hold at the knots and the barriers are finite.
         let even = 0.97 * retiming.even(&c);
-        for one in &mut c {
-            *one *= even;
+        for (i, one) in c.iter_mut().enumerate() {
+            *one *= 1.0 + (even - 1.0) * self.free(i);
         }
-        let all = 0..c.len();
+        let all = self.first()..c.len();
         retiming.improve(&mut c, all, weights, 60);
         self.c = c;
         self.law.clear();
@@ -289,14 +339,15 @@ impl<'a> Stage<'a> {
                 let part = (DEEPER * (1.0 - 1.0 / (worst * worst)) + 2.0e-4).min(0.5);
                 let mut changed = self.c.len()..0;
                 let last = self.borders.len() - 1;
-                for (i, c) in self.c.iter_mut().enumerate() {
+                for i in self.first()..self.c.len() {
                     // Where the coefficient has its place in the spline.
                     let border = |k: usize| self.borders[k.saturating_sub(2).min(last)];
                     let place = (border(i) + border(i + 1) + border(i + 2)) / 3.0;
                     let off = (place.clamp(from, to) - place) / reach;
                     if off.abs() < 8.0 {
                         let bump = 1.0 / (1.0 + off * off / 8.0);
-                        *c *= 1.0 - part * bump * bump * bump * bump;
+                        let bump = bump * bump * bump * bump;
+                        self.c[i] *= 1.0 - part * bump * self.free(i);
                         changed.start = changed.start.min(i);
                         changed.end = i + 1;
                     }
@@ -325,7 +376,7 @@ impl<'a> Stage<'a> {
                     }
                 }
             }
-            let from = (k / 2).saturating_sub(MARGIN);
+            let from = (k / 2).saturating_sub(MARGIN).max(self.first());
             let to = (k / 2 + 3 + MARGIN).min(self.c.len());
             match ranges.last_mut() {
                 Some(range) if range.end + 4 >= from => range.end = to,
@@ -343,15 +394,6 @@ fn worst(excess: &[[f64; 4]]) -> f64 {
         worst = worst.max(factor(one));
     }
     worst
-}
-
-/// How long a law lasts [s].
-fn length(law: &[Phase]) -> f64 {
-    let mut time = 0.0;
-    for phase in law {
-        time += phase.duration;
-    }
-    time
 }
 
 /// The time `∫ du/√b` between two knots, where `b` is a cubic, by Gauss' rule with four places.
@@ -375,7 +417,7 @@ fn time([from, out, _]: [f64; 3], [to, on, _]: [f64; 3], step: f64) -> f64 {
 
 /// A law as a spline to begin with, with the borders between which to make it faster: closer where
 /// the path turns quickly.
-fn resample(law: &[Phase], course: &Course, step: f64) -> (Vec<f64>, f64, Vec<f64>) {
+fn resample(law: &[Phase], course: &Course, step: f64, is_head: bool) -> (Vec<f64>, f64, Vec<f64>) {
     let count = (0.5 * length(law) / step).ceil().max(3.0);
     let span = length(law) / count;
     let (first, last) = match (law.first(), law.last()) {
@@ -409,6 +451,15 @@ fn resample(law: &[Phase], course: &Course, step: f64) -> (Vec<f64>, f64, Vec<f6
     }
     for k in [0.0, 1.0, 2.0, 3.0] {
         at.push(if course.moving[1] { last[0] + last[1] * span * k } else { course.length });
+    }
+    if is_head {
+        at = sampled(law, span, at.len());
+        if !course.moving[1] {
+            // To rest, it must not run beyond.
+            for one in &mut at {
+                *one = one.min(course.length);
+            }
+        }
     }
     let mut borders = Vec::new();
     for k in 0..at.len() - 4 {

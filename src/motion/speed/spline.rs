@@ -92,11 +92,10 @@ mod tests {
             let mut found = [[0.0; 3]; 3];
             for i in 0..4 {
                 let [a, b, c] = [0, 1, 2].map(|j| beyond(first + i + j));
-                for (power, c) in
-                    [1.0, (a + b + c) / 3.0, (a * b + b * c + c * a) / 3.0].into_iter().enumerate()
-                {
-                    for order in 0..3 {
-                        found[power][order] += basis[order][i] * c;
+                let sums = [1.0, (a + b + c) / 3.0, (a * b + b * c + c * a) / 3.0];
+                for (found, sum) in found.iter_mut().zip(sums) {
+                    for (found, row) in found.iter_mut().zip(basis) {
+                        *found += row[i] * sum;
                     }
                 }
             }
