@@ -33,8 +33,8 @@ pub enum CurvatureSteps {
     /// Round them within the corner deviation.
     #[default]
     Round,
-    /// Keep the path and slow down, so that the step of the acceleration is one that the jerk
-    /// allows in a period.
+    /// Keep the path and slow down, so that the step of the acceleration is one that the jerk and
+    /// its change allow in a period.
     Slow,
     /// Keep the path and stop.
     Stop,
@@ -102,6 +102,12 @@ impl Limits {
     #[must_use]
     pub fn snap(&self) -> f64 {
         self.snap.unwrap_or(self.jerk / (5.0 * self.period))
+    }
+
+    /// What the acceleration may step by where the curvature does [mm/s²]: most of half of what the
+    /// jerk, or the change of the jerk, makes of it in a period.
+    pub(super) fn step(&self) -> f64 {
+        0.4 * self.jerk.min(self.snap() * self.period) * self.period
     }
 
     /// That each can be held to.

@@ -10,26 +10,10 @@ use glam::DVec3;
 use super::blend::{Rough, SHARPEST};
 use super::pieces::{chords, pieces};
 use super::{
-    Corner, CornerCurve, CornerShape, CurvatureSteps, Eased, Fitted, Fitter, Frame, Limits, Mode,
+    Corner, CornerCurve, CornerShape, CurvatureSteps, Eased, Fitted, Fitter, Joint, Limits, Mode,
     Piece, Straight,
 };
 use crate::contour::Move;
-
-/// How two pieces of a track meet.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Joint {
-    /// Direction, curvature and its derivative go on.
-    Smooth,
-    /// Only the direction goes on.
-    Step {
-        /// Size of the step of `dT/ds` [1/mm]: acceleration steps by it times `v²`.
-        curvature: f64,
-        /// Size of the step of `d²T/ds²` [1/mm²]: jerk steps by it times `v³`.
-        sharpness: f64,
-    },
-    /// The tool comes to rest.
-    Stop,
-}
 
 /// A piece in its place on a track.
 #[derive(Debug, Clone, PartialEq)]
@@ -75,12 +59,6 @@ impl Placed {
     }
 }
 
-/// Differences that count as none: at 500 mm/s and 1 kHz they are steps of the acceleration and the
-/// jerk of 1e-3 of what a fast machine may do.
-const SAME_DIRECTION: f64 = 1e-9;
-const SAME_CURVATURE: f64 = 1e-8;
-const SAME_SHARPNESS: f64 = 1e-6;
-
 /// A rest of a piece shorter than this is left out [mm].
 const LEAST_REST: f64 = 1e-10;
 
@@ -97,6 +75,7 @@ pub struct TrackBuilder {
     deviation: f64,
     corner: CornerCurve,
     steps: CurvatureSteps,
+    limits: Limits,
     exact_stop: bool,
     /// Whether straight moves are fitted where corners are rounded, and whether they are now.
     may_fit: bool,
@@ -187,6 +166,7 @@ impl TrackBuilder {
             deviation: limits.corner_deviation,
             corner: limits.corner,
             steps: limits.curvature_steps,
+            limits: *limits,
             exact_stop: limits.exact_stop,
             may_fit: limits.fit && limits.mode == Mode::Fast,
             fits: false,
@@ -354,7 +334,7 @@ impl TrackBuilder {
         }
         let end = before.piece.frame(before.piece.length());
         let start = next.piece.frame(0.0);
-        let joint = joint(&end, &start);
+        let joint = Joint::between(&end, &start);
         if joint == Joint::Smooth {
             return Meeting::As(joint);
         }
@@ -368,15 +348,17 @@ impl TrackBuilder {
             };
         }
         let kept = match self.steps {
-            CurvatureSteps::Stop if is_step_of_curvature(&joint) => Joint::Stop,
+            CurvatureSteps::Stop if joint.is_step_of_curvature() => Joint::Stop,
             _ => joint,
         };
         if !is_turn && self.steps != CurvatureSteps::Round || deviation <= 0.0 {
             return Meeting::As(kept);
         }
+        let feed = before.feed.min(next.feed) * self.limits.feed_override;
+        let as_is = joint.or_slight_turn(&end, &start, feed, &self.limits);
         match Rough::of(&end, &start, deviation) {
-            Some(rough) => Meeting::Rough(rough, joint),
-            None => Meeting::As(joint),
+            Some(rough) => Meeting::Rough(rough, as_is),
+            None => Meeting::As(as_is),
         }
     }
 
@@ -417,7 +399,10 @@ impl TrackBuilder {
             Meeting::Rough(rough, as_is) => {
                 let (a, b) = (&incoming.piece, &outgoing.piece);
                 let deviation = self.deviation - incoming.off.max(outgoing.off);
-                if let Some(blend) = rough.blend(a, b, most, deviation) {
+                let blend = rough.blend(a, b, most, deviation);
+                if let Some(blend) =
+                    blend.filter(|blend| as_is.is_eased_by(blend.piece.length(), &self.limits))
+                {
                     leg = blend.leg;
                     joint = Joint::Smooth;
                     let legs = [a.part(a.length() - leg, a.length()), b.part(0.0, leg)];
@@ -459,24 +444,6 @@ impl TrackBuilder {
             last.end = end;
         }
     }
-}
-
-/// How two frames at the same place meet; a change of direction is a stop.
-fn joint(end: &Frame, start: &Frame) -> Joint {
-    if (start.tangent - end.tangent).length() > SAME_DIRECTION {
-        return Joint::Stop;
-    }
-    let curvature = (start.curvature - end.curvature).length();
-    let sharpness = (start.sharpness - end.sharpness).length();
-    if curvature <= SAME_CURVATURE && sharpness <= SAME_SHARPNESS {
-        Joint::Smooth
-    } else {
-        Joint::Step { curvature, sharpness }
-    }
-}
-
-fn is_step_of_curvature(joint: &Joint) -> bool {
-    matches!(joint, Joint::Step { curvature, .. } if *curvature > SAME_CURVATURE)
 }
 
 /// The whole track of moves.

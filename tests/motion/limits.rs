@@ -105,7 +105,19 @@ fn steps_of_curvature_are_passed_slowly_or_at_rest() {
         let found = motion.violations(&moves, &limits);
         assert!(found.acceleration.ratio() < 1.0005, "{curvature_steps:?}: {found:?}");
         assert!(found.jerk.ratio() < 1.0005, "{curvature_steps:?}: {found:?}");
+        assert!(found.jerk_change.ratio() < 1.0005, "{curvature_steps:?}: {found:?}");
     }
+}
+
+#[test]
+fn arcs_of_opposite_bends_with_too_little_between_them_to_round_are_passed_slowly() {
+    // What compensation leaves of rounded coordinates: a line of some nanometres between two arcs.
+    let text = "G17 G21 G90\nG41 D1 G0 X34.3468 Y-9.1397\nG1 G91 X-5.1962 Y-3 F600\n\
+                G3 X-3.6602 Y-13.6603 I5 J-8.6603\nG2 I-12.9904 J-7.5\nG3 X13.6602 Y-3.6603 I8.6602 J5\n\
+                G40 G1 X5.1962 Y3\nM2\n";
+    let moves = shapes::compensated(text, 3.0);
+    let limits = Limits { corner_deviation: 0.02, ..Limits::default() };
+    hold("opposite arcs", &moves, &limits);
 }
 
 #[test]

@@ -466,7 +466,12 @@ fn a_turned_mirrored_and_scaled_path_has_the_track_turned_mirrored_and_scaled() 
             .collect();
         // Fitting ends its search where the gain is small, not at the same digits.
         let limits = Limits { fit: false, ..Limits::default() };
-        let scaled = Limits { corner_deviation: scale * limits.corner_deviation, ..limits };
+        let scaled = Limits {
+            velocity: scale * limits.velocity,
+            jerk: scale * limits.jerk,
+            corner_deviation: scale * limits.corner_deviation,
+            ..limits
+        };
         let (here, there) = (track(&moves, &limits), track(&other, &scaled));
         assert_eq!(here.len(), there.len(), "case {case}");
         for (i, (one, other)) in here.iter().zip(&there).enumerate() {

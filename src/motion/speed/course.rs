@@ -53,8 +53,7 @@ impl Course {
             if place == 0
                 && let Some(before) = self.pieces.last()
             {
-                speed =
-                    speed.min(joint_speed(before.end, limits)).min(self.caps[self.caps.len() - 1]);
+                speed = speed.min(before.end.speed(limits)).min(self.caps[self.caps.len() - 1]);
             }
             self.time += length / (f64::from(places) * speed);
             self.places.push(Place { s: self.length + on, speed, cap, length });
@@ -168,7 +167,7 @@ impl Course {
         while at + 1 < self.from.len() && self.from[at + 1] < to {
             if let Joint::Step { curvature, .. } = self.pieces[at].end {
                 steps |= curvature > 0.0;
-                cap = cap.min(joint_speed(self.pieces[at].end, limits));
+                cap = cap.min(self.pieces[at].end.speed(limits));
             }
             at += 1;
             cap = cap.min(self.caps[at]);
@@ -194,15 +193,4 @@ fn even_speed(frame: &Frame, limits: &Limits) -> f64 {
         speed = speed.min((limits.jerk / sharp).cbrt());
     }
     speed
-}
-
-/// The largest speed over a step of curvature: the acceleration may step by what half the jerk
-/// changes it by in a period.
-fn joint_speed(joint: Joint, limits: &Limits) -> f64 {
-    match joint {
-        Joint::Step { curvature, .. } if curvature > 0.0 => {
-            (0.5 * limits.jerk * limits.period / curvature).sqrt()
-        }
-        _ => f64::INFINITY,
-    }
 }

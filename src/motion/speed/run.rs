@@ -152,11 +152,11 @@ fn knots(
             frame.tangent * a + frame.curvature * square,
             frame.tangent * j + frame.curvature * (3.0 * v * a) + frame.sharpness * (square * v),
         ];
-        // Half of the jerk is left to a step of curvature.
+        // Half of the jerk and of its change is left to a step of curvature.
         let jerk = if steps { 4.0 * strict } else { strict };
         let step = times[(k + 1).min(last)] - times[k];
         let share = (times[(k + 1).min(last)] - times[k.saturating_sub(1)]) / span;
-        knots.push(Knot { path, most, step, share, strict: [strict, jerk, strict * CHANGES] });
+        knots.push(Knot { path, most, step, share, strict: [strict, jerk, jerk * CHANGES] });
     }
     knots
 }
