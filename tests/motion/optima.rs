@@ -171,6 +171,7 @@ fn corners_are_within_a_twentieth_of_the_optimum_of_third_order_where_jerk_may_s
 #[test]
 #[ignore = "takes minutes: cargo test --test motion optima -- --ignored --nocapture"]
 fn corners_beside_optima_of_both_orders() {
+    let mut slow = Vec::new();
     for case in cases() {
         let path = case.path();
         let machine = Machine { snap: Some(case.limits.snap()), ..case.machine() };
@@ -191,7 +192,10 @@ fn corners_beside_optima_of_both_orders() {
             }
             let (share, planned) = (100.0 * (planned / best - 1.0), 1e3 * planned);
             println!(" ms; planned {planned:.2}, {share:+.1} %");
-            assert!(share < 5.0, "{}, order {order}: {share} % over {best} s", case.name);
+            if share >= 5.0 {
+                slow.push(format!("{}, order {order}: {share:.1} %", case.name));
+            }
         }
     }
+    assert!(slow.is_empty(), "a twentieth or more over the optimum: {slow:#?}");
 }
