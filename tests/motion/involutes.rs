@@ -1,12 +1,12 @@
 //! Involutes by arc length against their closed form, and joined to lines.
 
-use g41::contour::{Move, MoveCurve, Plane, Role};
-use g41::diagnostic::Origin;
+use g41::contour::{MoveCurve, Plane};
 use g41::geometry::{Involute, Line};
 use g41::motion::{Joint, Limits, Piece, Unwound, track};
 use glam::{DVec2, DVec3};
 
 use crate::common::{near, p};
+use crate::shapes;
 
 /// The end of a thread unwound by `roll` [rad] from the circle of `radius` about the origin, its foot
 /// starting at the angle 0.
@@ -68,16 +68,8 @@ fn a_line_joins_an_involute_even_on_its_base_circle() {
         let curve = involute(10.0, [least, 1.5]);
         let along = if corner { DVec2::Y } else { curve.tangent(0.0) };
         let line = Line::new(curve.start() - along * 8.0, curve.start()).expect("a line");
-        let as_move = |curve| Move {
-            curve,
-            role: Role::Free,
-            rapid: false,
-            feed: None,
-            plane: Plane::Xy,
-            heights: [0.0; 2],
-            origin: Origin::Segment(0),
-        };
-        let moves = [as_move(MoveCurve::Line(line)), as_move(MoveCurve::Involute(curve))];
+        let moves =
+            [shapes::along(MoveCurve::Line(line)), shapes::along(MoveCurve::Involute(curve))];
         let track = track(&moves, &Limits::default());
         let ends: Vec<_> = track.iter().map(|placed| placed.end).collect();
         let what = format!("from a roll of {least}, corner {corner}");

@@ -1,7 +1,6 @@
 //! Planned corners beside the shortest times that there are along the same curves.
 
-use g41::contour::{Move, MoveCurve, Plane, Role};
-use g41::diagnostic::Origin;
+use g41::contour::{Move, MoveCurve};
 use g41::geometry::{Arc, Line};
 use g41::motion::{CornerCurve, Limits, plan, track};
 use glam::{DVec2, DVec3, dvec2};
@@ -38,16 +37,7 @@ fn around_an_arc() -> Vec<Move> {
         MoveCurve::Arc(arc.expect("an arc")),
         MoveCurve::Line(Line::new(dvec2(9.0, 4.0), dvec2(9.0, 9.0)).expect("a length")),
     ];
-    let as_move = |curve| Move {
-        curve,
-        role: Role::Free,
-        rapid: false,
-        feed: None,
-        plane: Plane::Xy,
-        heights: [0.0; 2],
-        origin: Origin::Segment(0),
-    };
-    curves.map(as_move).to_vec()
+    curves.map(shapes::along).to_vec()
 }
 
 fn cases() -> Vec<Case> {

@@ -13,23 +13,26 @@ use g41::program::{Dialect, Program, Rules, interpret};
 use g41::simulation::{Tools, compensate_program};
 use glam::{DVec2, DVec3};
 
+/// A move without a feed along a curve at height 0.
+pub(crate) fn along(curve: MoveCurve) -> Move {
+    Move {
+        curve,
+        role: Role::Free,
+        rapid: false,
+        feed: None,
+        plane: Plane::Xy,
+        heights: [0.0; 2],
+        origin: Origin::Segment(0),
+    }
+}
+
 /// Straight moves from point to point [mm].
 pub(crate) fn polyline(points: &[DVec3]) -> Vec<Move> {
     let mut moves = Vec::new();
     for pair in points.windows(2) {
         let (from, to) = (pair[0].truncate(), pair[1].truncate());
         let curve = Line::new(from, to).map_or(MoveCurve::Vertical(from), MoveCurve::Line);
-        let (role, origin) = (Role::Free, Origin::Segment(0));
-        let heights = [pair[0].z, pair[1].z];
-        moves.push(Move {
-            curve,
-            role,
-            rapid: false,
-            feed: None,
-            plane: Plane::Xy,
-            heights,
-            origin,
-        });
+        moves.push(Move { heights: [pair[0].z, pair[1].z], ..along(curve) });
     }
     moves
 }
