@@ -138,6 +138,8 @@ fn m_word(tenths: u32) -> (u8, &'static str) {
         620..=650 => (rank::OUTPUT, "P"),
         660..=680 => (rank::OUTPUT, "PELQ"),
         1000..=1990 => (rank::USER, "PQ"),
+        // Those of firmware.
+        2000.. => (rank::USER, "PQRS"),
         _ => (rank::USER, ""),
     }
 }
@@ -170,10 +172,6 @@ impl Interpreter {
                 'M' => match tenths(found) {
                     Some(700..=739) => {
                         self.not_supported(block, found.column, "saving modes (M70 to M73)");
-                    }
-                    Some(970) => {
-                        self.not_supported(block, found.column, "a subprogram");
-                        words.take_all("PLQ");
                     }
                     Some(number) => self.m_word(block, found, number, words, auxiliary),
                     None => continue,

@@ -71,7 +71,7 @@ impl Interpreter {
         for word in &block.words {
             if word.letter == 'G'
                 && let Some(number) = tenths(word)
-                && let Some(GWord::Act(act)) = g_word(number)
+                && let Some(GWord::Act(act)) = g_word(number, self.rules.is_strict)
             {
                 let Systems { active, assumed, .. } = self.modal.systems;
                 let machine = assumed.machine(active, self.modal.position);
@@ -168,7 +168,11 @@ impl Interpreter {
         mut text: String,
         words: &mut Words,
     ) {
-        if index.is_none() {
+        let mut index = index;
+        if index.is_none() || !self.rules.is_strict && !words.has_any("XYZR") && words.has_any("P")
+        {
+            // G54 P1 is G54.1 P1, too.
+            index = None;
             take_as_text(words, "P", &mut text);
         }
         let before = self.modal.systems.active;

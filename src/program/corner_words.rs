@@ -62,7 +62,13 @@ impl Interpreter {
             (700 | 710, _) if !self.rules.is_strict && !words.has_any("PQUWRDI") => {
                 self.modal.inches = number == 700;
             }
-            (4600, ControlWords::Sinumerik) => {}
+            // Exact stop, and limits of the spindle's speed.
+            (4600 | 600, ControlWords::Sinumerik) => {}
+            (250 | 260, ControlWords::Sinumerik) => words.take_all("SXYZ"),
+            (1100 | 1110 | 1120, ControlWords::Sinumerik) => {
+                self.not_supported(block, word.column, "a pole (G110 to G112)");
+                demands.no_move = true;
+            }
             (4610 | 4620, ControlWords::Sinumerik) => {
                 self.not_supported(
                     block,

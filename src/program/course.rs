@@ -281,7 +281,7 @@ impl Course {
                         .with_origin(origin)
                         .with_point(from)
                         .with_hint(
-                            "lead in with a straight move (G00 or G01) to the curve's start",
+                            "lead in with a straight move; LinuxCNC's profile leads in on arcs",
                         ),
                     );
                 }

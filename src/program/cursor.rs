@@ -73,7 +73,7 @@ impl<'a> Cursor<'a> {
     }
 
     /// Moves up to the first character that does not belong, without passing over spaces.
-    pub(super) fn take_while(&mut self, belongs: impl Fn(char) -> bool) -> &'a str {
+    pub(super) fn take_while(&mut self, belongs: &dyn Fn(char) -> bool) -> &'a str {
         let rest = self.rest();
         let taken = rest.find(|c| !belongs(c)).unwrap_or(rest.len());
         self.at += taken;
@@ -104,7 +104,7 @@ impl<'a> Cursor<'a> {
     pub(super) fn number(&mut self, signed: bool) -> Result<f64, NumberError> {
         let belongs = |c: char| c.is_ascii_digit() || c == '.' || signed && matches!(c, '+' | '-');
         self.peek();
-        let text = self.take_while(belongs);
+        let text = self.take_while(&belongs);
         let end = self.at;
         if !self.peek().is_some_and(|c| belongs(char::from(c))) {
             self.at = end;
@@ -112,7 +112,7 @@ impl<'a> Cursor<'a> {
         }
         let mut text = text.to_owned();
         while self.peek().is_some_and(|c| belongs(char::from(c))) {
-            text.push_str(self.take_while(belongs));
+            text.push_str(self.take_while(&belongs));
         }
         parse_number(&text)
     }
@@ -133,7 +133,7 @@ impl<'a> Cursor<'a> {
         if !self.eat(b'<') {
             return None;
         }
-        let text = self.take_while(|c| c != '>');
+        let text = self.take_while(&|c: char| c != '>');
         if !self.eat(b'>') {
             return None;
         }

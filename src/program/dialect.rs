@@ -18,7 +18,7 @@ pub enum Dialect {
 }
 
 /// What only one dialect has, in capitals and without space.
-const SIGNS: [(&str, Dialect); 20] = [
+const SIGNS: [(&str, Dialect); 26] = [
     ("#<", Dialect::LinuxCnc),
     ("EXISTS[", Dialect::LinuxCnc),
     ("GOTOF", Dialect::Sinumerik),
@@ -39,6 +39,12 @@ const SIGNS: [(&str, Dialect); 20] = [
     ("G450", Dialect::Sinumerik),
     ("G451", Dialect::Sinumerik),
     ("KONT", Dialect::Sinumerik),
+    ("TRANS", Dialect::Sinumerik),
+    ("CYCLE8", Dialect::Sinumerik),
+    ("SUPA", Dialect::Sinumerik),
+    ("ROTZ", Dialect::Sinumerik),
+    ("MIRROR", Dialect::Sinumerik),
+    ("FFWON", Dialect::Sinumerik),
 ];
 
 impl Dialect {

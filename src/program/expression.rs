@@ -148,6 +148,9 @@ impl LineReader<'_> {
     fn operator(&mut self) -> Option<Operator> {
         // Most values are followed by a bracket, and few letters begin an operator.
         let first = self.cursor.peek()?;
+        if matches!(first, b'<' | b'=' | b'>') && self.dialect != Dialect::Sinumerik {
+            return None;
+        }
         let begins = |(text, _): &&(&str, Operator)| text.as_bytes().first() == Some(&first);
         let mut candidates = OPERATORS.iter().filter(begins);
         candidates.find(|(text, _)| self.cursor.eat_all(text)).map(|(_, operator)| *operator)

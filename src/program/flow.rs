@@ -15,6 +15,23 @@ const ARGUMENTS: usize = 30;
 /// Most repetitions; the bounds of the run end them earlier.
 const MOST_TIMES: f64 = 1e9;
 
+/// Where a GOTO leads to.
+#[derive(Debug)]
+pub(super) enum Destination {
+    /// The block with a number.
+    Number(f64),
+    /// SINUMERIK's block with a label, or a number behind N.
+    Label(String, Search),
+}
+
+/// Where the block is looked for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Search {
+    Down,
+    Up,
+    DownThenUp,
+}
+
 /// What stands behind an O word.
 struct Arguments {
     holds: bool,
@@ -352,8 +369,44 @@ impl Runner {
         false
     }
 
-    /// GOTO: on to the block with a number, first downwards, then from the beginning of the program.
-    pub(super) fn go_to(&mut self, outline: &Outline, number: f64, column: u32) {
+    /// GOTO: on to another block.
+    pub(super) fn go_to(&mut self, outline: &Outline, to: &Destination, column: u32) {
+        let found = match to {
+            Destination::Number(number) => self.find_block(outline, *number),
+            Destination::Label(label, search) => self.find_label(outline, label, *search),
+        };
+        if let Some(place) = found {
+            self.place = place;
+            return;
+        }
+        let message = "GOTO leads to a block that the program does not have";
+        let origin = self.block.origin_at(column);
+        let hint = "the program goes on with the next block";
+        self.interpreter.error("missing-block", message, origin, hint);
+    }
+
+    /// The block with a label (`NAME:`), or with a number where it is one behind N.
+    fn find_label(&mut self, outline: &Outline, label: &str, search: Search) -> Option<Place> {
+        let here = self.place.at;
+        let (mut found, mut looked_at) = (None, 0);
+        let (mut at, mut line) = (outline.first, 1_u32);
+        while at < outline.end && !(search == Search::Up && at >= here) {
+            let (text, next) = outline.line(at);
+            looked_at += 1;
+            if (at >= here || search != Search::Down) && is_labelled(text, label) {
+                found = Some(Place { at, line, mark: outline.mark_from(at) });
+                if at >= here {
+                    break;
+                }
+            }
+            (at, line) = (next, line.saturating_add(1));
+        }
+        self.count_labels(looked_at);
+        found
+    }
+
+    /// The block with a number, first downwards, then from the beginning of the program.
+    pub(super) fn find_block(&mut self, outline: &Outline, number: f64) -> Option<Place> {
         let numbered = self.numbered.get_or_insert_with(|| numbered(outline));
         let here = self.place.at;
         let (from, to) = outline.program_around(here.saturating_sub(1));
@@ -370,14 +423,26 @@ impl Runner {
             }
             found = found.or(Some(label));
         }
-        let Some(&(_, line, at)) = found else {
-            let message = "GOTO leads to a block number that the program does not have";
-            let origin = self.block.origin_at(column);
-            let hint = "the program goes on with the next block";
-            self.interpreter.error("missing-block", message, origin, hint);
-            return;
-        };
-        self.place = Place { at, line, mark: outline.mark_from(at) };
+        let &(_, line, at) = found?;
+        Some(Place { at, line, mark: outline.mark_from(at) })
+    }
+}
+
+/// Whether a line has such a label, or such a number with its N.
+fn is_labelled(text: &str, label: &str) -> bool {
+    let mut cursor = Cursor::new(text, 0);
+    loop {
+        cursor.peek();
+        let name = cursor.take_while(&|c: char| c.is_ascii_alphanumeric() || c == '_');
+        let is_number = name.starts_with(['N', 'n'])
+            && name.len() > 1
+            && name.bytes().skip(1).all(|digit| digit.is_ascii_digit());
+        if name.eq_ignore_ascii_case(label) && (is_number || cursor.eat(b':')) {
+            return true;
+        }
+        if !is_number {
+            return false;
+        }
     }
 }
 

@@ -37,7 +37,7 @@ use Operator::{
 };
 
 /// How operators are written; where one begins like another, the longer comes first.
-pub(super) const OPERATORS: [(&str, Operator); 15] = [
+pub(super) const OPERATORS: [(&str, Operator); 21] = [
     ("**", Power),
     ("*", Times),
     ("/", Divide),
@@ -53,6 +53,13 @@ pub(super) const OPERATORS: [(&str, Operator); 15] = [
     ("AND", And),
     ("OR", Or),
     ("XOR", ExclusiveOr),
+    // SINUMERIK's.
+    ("==", Equal),
+    ("<>", NotEqual),
+    (">=", GreaterOrEqual),
+    (">", Greater),
+    ("<=", LessOrEqual),
+    ("<", Less),
 ];
 
 /// Why there is no result.

@@ -125,17 +125,60 @@ pub(super) enum GWord {
     Act(Act),
     /// It changes nothing here.
     Harmless,
+    /// It changes no path, on other controls; its letters.
+    Noted(&'static str),
     /// It is for the controller and moves nothing; its letters.
     PassedOn(&'static str),
     /// Its block cannot be turned into moves; what it is.
     NotSupported(&'static str),
 }
 
-/// The meaning of a G word by ten times its number.
-pub(super) fn g_word(tenths: u32) -> Option<GWord> {
+/// The meaning of a G word by ten times its number; what `LinuxCNC` has no such word for is none
+/// where `is_strict`.
+pub(super) fn g_word(tenths: u32, is_strict: bool) -> Option<GWord> {
+    common(tenths).or_else(|| if is_strict { None } else { elsewhere(tenths) })
+}
+
+/// Words of other controls: FANUC, Haas (G103, G110 to G129, G154, G187) and SINUMERIK.
+fn elsewhere(tenths: u32) -> Option<GWord> {
+    Some(match tenths {
+        90 => GWord::PassedOn(""),
+        121 => GWord::PolarInterpolation(true),
+        131 => GWord::PolarInterpolation(false),
+        150 => GWord::Act(Act::Polar(false)),
+        160 => GWord::Act(Act::Polar(true)),
+        // Fields that are not to be entered, and how exactly and how far ahead the control goes.
+        220 => GWord::Noted("XYZIJK"),
+        230 | 620 | 6010 | 6020 | 6030 => GWord::Noted(""),
+        1030 => GWord::Noted("P"),
+        1870 => GWord::Noted("PE"),
+        310 => GWord::Once(Motion::Passed(310)),
+        390 => GWord::NotSupported("the corner arc (G39)"),
+        440 => GWord::Length(true),
+        500 => GWord::Act(Act::Scale(false)),
+        510 => GWord::Act(Act::Scale(true)),
+        501 => GWord::Act(Act::Mirror(false)),
+        511 => GWord::Act(Act::Mirror(true)),
+        1530 => GWord::Act(Act::Machine),
+        541 | 1540 => GWord::Act(Act::System(None)),
+        600 => GWord::Once(Motion::Rapid),
+        660 => GWord::NotSupported("a macro call"),
+        680 => GWord::Act(Act::Rotate(true)),
+        690 => GWord::Act(Act::Rotate(false)),
+        // G110 to G129, G500, and G505 to G599.
+        1100..=1290 | 5000 | 5050..=5990 if tenths.is_multiple_of(10) => {
+            GWord::Act(Act::System(None))
+        }
+        // What calls a macro was taken out of the block before.
+        670 => GWord::Harmless,
+        _ => return None,
+    })
+}
+
+fn common(tenths: u32) -> Option<GWord> {
     use GWord::{
-        AbsoluteCenter, Diameter, Dwell, EndOfCycle, Harmless, Inches, Length, NotSupported,
-        PassedOn, Relative, RetractToR, SplineFamily, SurfaceSpeed,
+        AbsoluteCenter, Diameter, Dwell, EndOfCycle, Inches, Length, PassedOn, Relative,
+        RetractToR, SplineFamily, SurfaceSpeed,
     };
     Some(match tenths {
         0 => GWord::Motion(Motion::Rapid),
@@ -148,12 +191,8 @@ pub(super) fn g_word(tenths: u32) -> Option<GWord> {
         50..=53 | 61 | 62 => SplineFamily,
         70 => Diameter(true),
         80 => Diameter(false),
-        90 | 610 | 611 => PassedOn(""),
+        610 | 611 => PassedOn(""),
         100 => GWord::Act(Act::SetData),
-        121 => GWord::PolarInterpolation(true),
-        131 => GWord::PolarInterpolation(false),
-        150 => GWord::Act(Act::Polar(false)),
-        160 => GWord::Act(Act::Polar(true)),
         170 => GWord::Plane(Plane::Xy),
         180 => GWord::Plane(Plane::Zx),
         190 => GWord::Plane(Plane::Yz),
@@ -161,34 +200,23 @@ pub(super) fn g_word(tenths: u32) -> Option<GWord> {
         210 => Inches(false),
         280 | 300 => GWord::Act(Act::Home),
         281 | 301 => GWord::Act(Act::StoreHome),
-        310 => GWord::Once(Motion::Passed(310)),
         330 | 331 | 382..=385 => GWord::Motion(Motion::Passed(tenths)),
-        390 => NotSupported("the corner arc (G39)"),
         400 => GWord::Compensation(Compensation::Off),
         410 => GWord::Compensation(Compensation::Tool(Side::Left)),
         420 => GWord::Compensation(Compensation::Tool(Side::Right)),
         411 => GWord::Compensation(Compensation::Diameter(Side::Left)),
         421 => GWord::Compensation(Compensation::Diameter(Side::Right)),
-        430..=432 | 440 => Length(true),
+        430..=432 => Length(true),
         490 => Length(false),
-        500 => GWord::Act(Act::Scale(false)),
-        510 => GWord::Act(Act::Scale(true)),
-        501 => GWord::Act(Act::Mirror(false)),
-        511 => GWord::Act(Act::Mirror(true)),
         520 => GWord::Act(Act::Local),
         530 => GWord::Act(Act::Machine),
         540 => GWord::Act(Act::System(Some(0))),
-        541 => GWord::Act(Act::System(None)),
         550 => GWord::Act(Act::System(Some(1))),
         560 => GWord::Act(Act::System(Some(2))),
         570 => GWord::Act(Act::System(Some(3))),
         580 => GWord::Act(Act::System(Some(4))),
         590..=593 => GWord::Act(Act::System(Some((tenths - 585) as usize))),
-        600 => GWord::Once(Motion::Rapid),
         640 => PassedOn("PQ"),
-        660 => NotSupported("a macro call"),
-        680 => GWord::Act(Act::Rotate(true)),
-        690 => GWord::Act(Act::Rotate(false)),
         730 | 740 | 760 | 810 | 820 | 830 | 840 | 850 | 860 | 870 | 880 | 890 => {
             GWord::Motion(Motion::Cycle(tenths / 10))
         }
@@ -207,8 +235,6 @@ pub(super) fn g_word(tenths: u32) -> Option<GWord> {
         970 => SurfaceSpeed(false),
         980 => RetractToR(false),
         990 => RetractToR(true),
-        // What calls a macro was taken out of the block before.
-        670 => Harmless,
         _ => return None,
     })
 }
@@ -235,6 +261,7 @@ impl GWord {
             Self::EndOfCycle
             | Self::Dwell
             | Self::Harmless
+            | Self::Noted(_)
             | Self::PolarInterpolation(_)
             | Self::Act(_)
             | Self::PassedOn(_)

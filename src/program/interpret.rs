@@ -8,6 +8,7 @@ use super::auxiliary::Auxiliary;
 use super::block::{Block, Word};
 use super::course::Course;
 use super::dialect::Dialect;
+use super::g_words::Motion;
 use super::modal::Modal;
 use super::pending_spline::PendingSpline;
 use super::report::Report;
@@ -139,22 +140,22 @@ impl Interpreter {
         if demands.acts {
             self.acts(block, &mut words);
         }
+        self.programmable_frame(block, &mut words);
         if self.is_refused {
             return Flow::End;
+        }
+        let axis = words.unused().map(|(_, word)| word).find(|word| is_axis(word));
+        if demands.once.or(self.modal.motion).is_none()
+            && let Some(axis) = axis
+            && !self.after_switching_on(block, axis)
+        {
+            words.take_all(GEOMETRY);
         }
         if let Some(motion) = demands.once.or(self.modal.motion)
             && !demands.no_move
         {
             let stated = demands.motion.or(demands.once).is_some();
             self.motion(block, motion, stated, &mut words);
-        } else if let Some(axis) = words.unused().map(|(_, word)| word).find(|w| is_axis(w)) {
-            self.error(
-                "no-motion-mode",
-                "no word has said yet how the axes move",
-                block.origin_at(axis.column),
-                "put G00 or G01 into the block",
-            );
-            words.take_all(GEOMETRY);
         }
         self.is_refused |= self.course.is_cut_off;
         if self.is_refused {
@@ -175,6 +176,22 @@ impl Interpreter {
         }
         self.pass_on(after, false, block.origin());
         if end { Flow::End } else { Flow::Next }
+    }
+
+    /// Moves axes though no word has said how: straight, as controls do that were just switched on, and
+    /// never faster than at the feed once there is one. `LinuxCNC` refuses; then it is false.
+    fn after_switching_on(&mut self, block: &Block, axis: &Word) -> bool {
+        let message = "no word has said yet how the axes move";
+        let at = block.origin_at(axis.column);
+        if self.rules.is_strict {
+            self.error("no-motion-mode", message, at, "");
+            return false;
+        }
+        let hint = "it goes straight, at the feed if there is one; put G00 or G01 into the block";
+        self.report.warning("no-motion-mode", message, at, hint);
+        let feeds = self.modal.feed.word(1.0).is_some();
+        self.modal.motion = Some(if feeds { Motion::Linear } else { Motion::Rapid });
+        true
     }
 
     /// Whether one block may become `moves` moves more.

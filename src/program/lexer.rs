@@ -4,16 +4,20 @@ use super::block::{Block, Word};
 use super::cursor::Cursor;
 use super::dialect::Dialect;
 use super::expression::{Fault, is_system};
+use super::flow::Destination;
 use super::interpret::Interpreter;
+use super::macros::calls;
 use super::number::{NumberError, whole};
 use super::parameters::{FAILED, Parameters, Setting, Target};
-use super::spline_words::{ADDRESSES, NAMES};
 
 /// Most words of a block. Controls allow about 250 characters; a line without end is no block.
 const MOST_WORDS: usize = 100;
 
 /// Most characters of the text that a message quotes.
 const MOST_QUOTED: usize = 20;
+
+/// Most letters that may be words whose numbers were forgotten, and no name.
+const LONGEST_LETTERS: usize = 2;
 
 /// Largest number a word may have, as [`super::number`] reads them.
 const LARGEST: f64 = 1e9;
@@ -33,7 +37,7 @@ pub(super) struct LineReader<'a> {
     /// Whether blocks with `/` are skipped.
     pub(super) block_delete: bool,
     /// Where GOTO leads to, and its column.
-    pub(super) jump: Option<(f64, u32)>,
+    pub(super) jump: Option<(Destination, u32)>,
     /// Whether a word calls a subprogram or returns from one.
     pub(super) calls: bool,
 }
@@ -109,7 +113,9 @@ impl LineReader<'_> {
     pub(super) fn holds(&mut self) -> bool {
         self.cursor.peek();
         let from = self.cursor.at();
-        match self.value() {
+        // Others put it into brackets.
+        let bare = self.dialect == Dialect::Sinumerik;
+        match if bare { self.expression(1) } else { self.value() } {
             Ok(value) => value != 0.0 && !value.is_nan(),
             Err(fault) => {
                 self.report_fault(&fault, from, "it counts as false");
@@ -125,10 +131,10 @@ impl LineReader<'_> {
         match c {
             b'(' | b';' => self.comment(c),
             b'I' if self.cursor.eat_all("IF[") => self.condition(),
-            b'G' if self.cursor.eat_all("GOTO") => {
+            b'G' if self.dialect != Dialect::Sinumerik && self.cursor.eat_all("GOTO") => {
                 let column = self.cursor.column(from);
                 match self.value() {
-                    Ok(number) => self.jump = Some((number, column)),
+                    Ok(number) => self.jump = Some((Destination::Number(number), column)),
                     Err(fault) => self.report_fault(&fault, from, "it is left out"),
                 }
                 self.cursor.skip_all();
@@ -160,7 +166,7 @@ impl LineReader<'_> {
 
     fn unexpected(&mut self) {
         let from = self.cursor.at();
-        let text = self.cursor.take_while(|c| {
+        let text = self.cursor.take_while(&|c: char| {
             let known = matches!(c, '(' | ';' | '#' | '[' | '+' | '-' | '.' | '@' | '^');
             !(c.is_ascii_alphanumeric() || c.is_ascii_whitespace() || c == '\x0b' || known)
         });
@@ -283,11 +289,19 @@ impl LineReader<'_> {
             }
             Some(b'=') => {
                 self.cursor.skip();
-                let value = self.expression(1);
-                return self.accept_value(letter, value, from);
+                return self.assigned(letter, from);
             }
             _ if self.value_follows() => return self.evaluated_word(letter, from),
-            _ => return self.bad_number(NumberError::Missing, from),
+            _ => {
+                // Of a name it is said once that it is none.
+                self.cursor.set(from);
+                let name = self.name();
+                if name.len() > LONGEST_LETTERS {
+                    return self.unknown_name(name, from);
+                }
+                self.cursor.set(from + 1);
+                return self.bad_number(NumberError::Missing, from);
+            }
         };
         let column = self.cursor.column(from);
         self.accept(Word { letter: char::from(letter), value, column, point }, from);
@@ -312,7 +326,7 @@ impl LineReader<'_> {
         self.accept_value(letter, value, from);
     }
 
-    fn accept_value(&mut self, letter: u8, value: Result<f64, Fault>, from: usize) {
+    pub(super) fn accept_value(&mut self, letter: u8, value: Result<f64, Fault>, from: usize) {
         match value {
             // A word with FANUC's vacant variable is as good as not there.
             Ok(value) if value.is_nan() => {}
@@ -342,7 +356,7 @@ impl LineReader<'_> {
             match c {
                 b'(' | b';' if depth == 0 => return,
                 b'<' => {
-                    self.cursor.take_while(|c| c != '>');
+                    self.cursor.take_while(&|c: char| c != '>');
                 }
                 b'[' => depth += 1,
                 b']' => {
@@ -360,7 +374,7 @@ impl LineReader<'_> {
             if self.cursor.peek().is_some_and(|c| c.is_ascii()) {
                 self.cursor.skip();
             } else {
-                self.cursor.take_while(|c| !c.is_ascii());
+                self.cursor.take_while(&|c: char| !c.is_ascii());
             }
         }
     }
@@ -387,45 +401,10 @@ impl LineReader<'_> {
         rest.first().is_some_and(u8::is_ascii_alphabetic)
     }
 
-    /// SINUMERIK's names of two letters and more; false where there is none.
-    fn name_word(&mut self) -> bool {
-        let from = self.cursor.at();
-        let rest = self.cursor.rest().as_bytes();
-        if !rest.get(1).is_some_and(|c| c.is_ascii_alphabetic() || *c == b'_') {
-            return false;
-        }
-        if self.cursor.eat_all("CR=") {
-            // The radius of an arc, with the sign that tells which.
-            let value = self.expression(1);
-            self.accept_value(b'R', value, from);
-            return true;
-        }
-        if self.cursor.eat_all("MSG(") {
-            let text = self.cursor.take_while(|c| c != ')');
-            let shown: String = text.chars().filter(|c| !c.is_control() && *c != '"').collect();
-            self.cursor.eat(b')');
-            self.block.comments.push(format!("(MSG,{shown})"));
-            return true;
-        }
-        let name = self.cursor.take_while(|c| c.is_ascii_alphanumeric() || c == '_');
-        for (known, letter, value) in NAMES {
-            if name.eq_ignore_ascii_case(known) {
-                let column = self.cursor.column(from);
-                self.accept(Word { letter, value, column, point: false }, from);
-                return true;
-            }
-        }
-        for (known, letter) in ADDRESSES {
-            if name.eq_ignore_ascii_case(known) && self.cursor.eat(b'=') {
-                let value = self.expression(1);
-                self.accept_value(letter, value, from);
-                return true;
-            }
-        }
-        let message = format!("{} is not known", quote(name));
-        self.error("unknown-name", message, from, "the rest of the block is left out");
-        self.cursor.skip_all();
-        true
+    /// Adds a word that no number was written for.
+    pub(super) fn push(&mut self, letter: char, value: f64, from: usize) {
+        let column = self.cursor.column(from);
+        self.accept(Word { letter, value, column, point: false }, from);
     }
 
     /// Adds a word; of two with one letter the later counts, G and M words and the arguments of a
@@ -440,7 +419,7 @@ impl LineReader<'_> {
         }
         match word.letter {
             'G' => self.calls |= matches!(whole(word.value), Some(65..=67)),
-            'M' => self.calls |= word.value == 98.0 || word.value == 99.0,
+            'M' => self.calls |= calls(word.value, self.interpreter.rules.is_strict),
             'I' | 'J' | 'K' if self.calls => {}
             _ => {
                 if let Some(i) = words.iter().position(|w| w.letter == word.letter) {
@@ -467,7 +446,7 @@ impl LineReader<'_> {
         self.error(code, message, from, "the word is left out");
     }
 
-    fn error(&mut self, code: &'static str, message: String, from: usize, hint: &str) {
+    pub(super) fn error(&mut self, code: &'static str, message: String, from: usize, hint: &str) {
         let origin = self.block.origin_at(self.cursor.column(from));
         self.interpreter.error(code, message, origin, hint);
     }

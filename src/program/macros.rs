@@ -1,6 +1,8 @@
-//! FANUC's calls: M98 and M99 of subprograms, G65 of macros with arguments.
+//! FANUC's calls: M98 and M99 of subprograms, G65 of macros with arguments; Haas' M97, of blocks in the
+//! program itself.
 
 use super::block::Word;
+use super::flow::Destination;
 use super::number::whole;
 use super::outline::{Outline, Step};
 use super::parameters::{LOCALS, Locals, UNSET};
@@ -41,6 +43,8 @@ const OLD_FORM: u32 = 10_000;
 #[derive(Debug, Clone)]
 pub(super) struct ProgramCall {
     number: Option<u32>,
+    /// The number is that of a block of the same program.
+    is_block: bool,
     times: Option<u32>,
     arguments: Option<Box<Locals>>,
     column: u32,
@@ -49,7 +53,7 @@ pub(super) struct ProgramCall {
 /// A word that calls or returns.
 #[derive(Debug)]
 pub(super) enum Call {
-    /// M98 and, with arguments, G65.
+    /// M97, M98 and, with arguments, G65.
     Program(ProgramCall),
     /// G66: the same after each block that moves, until G67.
     Modal(ProgramCall),
@@ -57,13 +61,19 @@ pub(super) enum Call {
     Return { to: Option<Word> },
 }
 
+/// Whether an M word calls or returns; `LinuxCNC` has no M97.
+pub(super) fn calls(number: f64, is_strict: bool) -> bool {
+    matches!(whole(number), Some(98 | 99)) || number == 97.0 && !is_strict
+}
+
 impl Runner {
     /// Takes the call or return with its words out of the block.
     pub(super) fn take_call(&mut self) -> Option<Call> {
         let words = &mut self.block.words;
+        let strict = self.options.rules.is_strict;
         let is_call = |w: &Word| match w.letter {
             'G' => matches!(whole(w.value), Some(65..=67)),
-            'M' => w.value == 98.0 || w.value == 99.0,
+            'M' => calls(w.value, strict),
             _ => false,
         };
         let index = words.iter().position(is_call)?;
@@ -84,7 +94,13 @@ impl Runner {
             self.block.words.retain(|word| !is_call(word));
             return Some(Call::Return { to });
         }
-        let number = taken('P').and_then(|word| whole(word.value));
+        let mut number = taken('P').and_then(|word| whole(word.value));
+        let mut is_block = word.letter == 'M' && word.value == 97.0;
+        if number.is_none() && word.letter == 'M' && !strict {
+            // M98 H.
+            number = taken('H').and_then(|word| whole(word.value));
+            is_block = true;
+        }
         let times = taken('L').and_then(|word| whole(word.value));
         if word.letter == 'G' {
             let index = self.block.words.iter().position(is_call)?;
@@ -93,7 +109,7 @@ impl Runner {
         } else {
             self.block.words.retain(|word| !is_call(word));
         }
-        let call = ProgramCall { number, times, arguments, column: word.column };
+        let call = ProgramCall { number, is_block, times, arguments, column: word.column };
         Some(if word.value == 66.0 { Call::Modal(call) } else { Call::Program(call) })
     }
 
@@ -128,12 +144,23 @@ impl Runner {
     pub(super) fn call(&mut self, outline: &Outline, call: &Call) {
         match call {
             Call::Modal(call) => self.modal_call = Some(Box::new(call.clone())),
-            Call::Program(ProgramCall { number, times, arguments, column }) => {
+            Call::Program(ProgramCall { number, is_block, times, arguments, column }) => {
                 let arguments = arguments.as_deref().map(|locals| (locals, ARGUMENTS));
-                let Some((start, times)) = self.find_program(outline, *number, *times) else {
+                let found = match *number {
+                    Some(number) if *is_block => {
+                        self.calls_blocks = true;
+                        let start = self.find_block(outline, f64::from(number));
+                        start.map(|start| (start, times.unwrap_or(1)))
+                    }
+                    number => self.find_program(outline, number, *times),
+                };
+                let Some((start, times)) = found else {
                     let origin = self.block.origin_at(*column);
                     let message = match number {
-                        Some(number) => format!("the subprogram O{number} is not in the text"),
+                        Some(number) => {
+                            let letter = if *is_block { 'N' } else { 'O' };
+                            format!("the subprogram {letter}{number} is not in the text")
+                        }
                         None => String::from("the call has no P with a number"),
                     };
                     let hint = "the call is left out; put the subprogram into the text";
@@ -163,7 +190,7 @@ impl Runner {
                     self.leave();
                 }
                 if let Some(word) = to {
-                    self.go_to(outline, word.value, word.column);
+                    self.go_to(outline, &Destination::Number(word.value), word.column);
                 }
             }
         }

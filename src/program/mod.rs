@@ -55,6 +55,7 @@ mod reader;
 mod report;
 mod rules;
 mod run;
+mod sinumerik;
 mod spline_blocks;
 mod spline_words;
 mod switch;

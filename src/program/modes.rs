@@ -53,10 +53,11 @@ impl Interpreter {
                 words.use_up(index);
                 continue;
             }
-            let meaning = match tenths(word).map(|number| (number, g_word(number))) {
-                Some((number, Some(meaning))) => (number, meaning),
-                _ => continue,
-            };
+            let meaning =
+                match tenths(word).map(|number| (number, g_word(number, self.rules.is_strict))) {
+                    Some((number, Some(meaning))) => (number, meaning),
+                    _ => continue,
+                };
             words.use_up(index);
             self.g_word(block, word, meaning, words, auxiliary, &mut demands);
         }
@@ -157,6 +158,11 @@ impl Interpreter {
                 }
             }
             GWord::Harmless => {}
+            GWord::Noted(letters) => {
+                words.take_all(letters);
+                let text = text_of('G', word.value);
+                self.note(block, word.column, &text);
+            }
             GWord::PassedOn(letters) => {
                 let text = self.lengths(word, letters, words);
                 auxiliary.text(rank::CONTROL, text);
@@ -193,6 +199,13 @@ impl Interpreter {
             self.modal.position = systems.assumed.place(systems.active(), machine);
         }
         text
+    }
+
+    /// Tells that a word is left out, and nothing lost.
+    pub(super) fn note(&mut self, block: &Block, column: u32, what: &str) {
+        let message = format!("{what} is left out; it does not change the path");
+        let at = block.origin_at(column);
+        self.report.push(Diagnostic::info("noted", message).with_origin(at));
     }
 
     /// A G word with lengths.

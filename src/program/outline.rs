@@ -374,7 +374,7 @@ fn o_word(cursor: &mut Cursor, mark: &mut Mark) -> Option<()> {
     let from = cursor.at();
     match first {
         b'<' => {
-            cursor.take_while(|c| c != '>');
+            cursor.take_while(&|c: char| c != '>');
             cursor.eat(b'>');
         }
         b'[' => {
@@ -385,7 +385,7 @@ fn o_word(cursor: &mut Cursor, mark: &mut Mark) -> Option<()> {
             cursor.skip();
             match cursor.peek()? {
                 b'<' => {
-                    cursor.take_while(|c| c != '>');
+                    cursor.take_while(&|c: char| c != '>');
                     cursor.eat(b'>');
                 }
                 _ => {

@@ -133,6 +133,8 @@ pub struct Runner {
     settings: Vec<Setting>,
     /// Where the numbered blocks are, once GOTO has asked for it: number, line, place.
     pub(super) numbered: Option<Vec<(u32, u32, usize)>>,
+    /// Whether blocks of the program were called, which may stand behind its end.
+    pub(super) calls_blocks: bool,
     pub(super) blocks: u64,
     text: u64,
     /// How far the text was read at least [bytes].
@@ -161,6 +163,7 @@ impl Runner {
             block: Block::default(),
             settings: Vec::new(),
             numbered: None,
+            calls_blocks: false,
             blocks: 0,
             text: 0,
             farthest: 0,
@@ -279,8 +282,8 @@ impl Runner {
         {
             self.call(outline, &call);
         }
-        if let Some((number, column)) = jump {
-            self.go_to(outline, number, column);
+        if let Some((to, column)) = jump {
+            self.go_to(outline, &to, column);
         }
     }
 
@@ -359,7 +362,7 @@ impl Runner {
     pub(super) fn end(&mut self, stated: bool) {
         self.ended = true;
         let outline = Arc::clone(&self.outline);
-        let stated = stated && !self.interpreter.is_refused;
+        let stated = stated && !self.interpreter.is_refused && !self.calls_blocks;
         while stated && self.place.at < outline.end {
             let (text, next) = outline.line(self.place.at);
             if !text.trim().is_empty() {

@@ -61,9 +61,7 @@ impl Interpreter {
             }
             SplineWord::Setting(what) => {
                 words.take_all("PQR");
-                let message = format!("{what} is left out; it does not change the path");
-                let at = block.origin_at(column);
-                self.report.push(Diagnostic::info("noted", message).with_origin(at));
+                self.note(block, column, what);
                 return;
             }
             SplineWord::Smoothing(what) => {

@@ -3,7 +3,8 @@
 //! The reader gives these words small letters: `s` for ASPLINE, BSPLINE and CSPLINE, `b` and `e`
 //! for how they begin and end, `w` for PW, `l` for PL and `d` for SD; `k` for NORM and KONT and `v`
 //! for DISC, `o` for OFFN, which are no words for splines (`corner_words`), and `r`, `m`, `c`, `f`,
-//! `g` and `h` for RND, RNDM, CHR, CHF, FRC and FRCM (`corner_cuts`).
+//! `g` and `h` for RND, RNDM, CHR, CHF, FRC and FRCM (`corner_cuts`), `n` and `p` for the programmable
+//! frames and RPL (`sinumerik`).
 
 use glam::{DVec2, DVec3};
 
@@ -17,9 +18,17 @@ use crate::contour::Shape;
 use crate::geometry::{RadiusForm, perp};
 
 /// Words without a number: their letter and the number that stands for them.
-pub(super) const NAMES: [(&str, char, f64); 14] = [
+pub(super) const NAMES: [(&str, char, f64); 22] = [
     // For one block no frame counts, as by G53.
     ("SUPA", 'G', 53.0),
+    ("TRANS", 'n', 0.0),
+    ("ROT", 'n', 1.0),
+    ("SCALE", 'n', 2.0),
+    ("MIRROR", 'n', 3.0),
+    ("ATRANS", 'n', 4.0),
+    ("AROT", 'n', 5.0),
+    ("ASCALE", 'n', 6.0),
+    ("AMIRROR", 'n', 7.0),
     ("NORM", 'k', 0.0),
     ("KONT", 'k', 1.0),
     ("KONTT", 'k', 2.0),
@@ -36,12 +45,13 @@ pub(super) const NAMES: [(&str, char, f64); 14] = [
 ];
 
 /// Words with a value behind `=`, and their letters.
-pub(super) const ADDRESSES: [(&str, u8); 11] = [
+pub(super) const ADDRESSES: [(&str, u8); 12] = [
     ("PW", b'w'),
     ("PL", b'l'),
     ("SD", b'd'),
     ("DISC", b'v'),
     ("OFFN", b'o'),
+    ("RPL", b'p'),
     ("RND", b'r'),
     ("RNDM", b'm'),
     ("CHR", b'c'),

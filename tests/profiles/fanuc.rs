@@ -175,7 +175,7 @@ fn g39_rounds_the_corner_where_it_stands_and_no_other() {
     let path = path_of("G21\nG0 X0 Y0\nG39\nG1 X10 F100\nM30\n", Profile::Fanuc);
     assert_eq!(codes(&path), ["corner-arc-off"], "there is no corner without compensation");
     let path = path_of(&square(["", "", "G39\n", ""]), Profile::LinuxCnc);
-    assert!(codes(&path).contains(&"not-supported"), "LinuxCNC has no G39");
+    assert!(codes(&path).contains(&"word-not-understood"), "LinuxCNC has no G39");
 }
 
 #[test]

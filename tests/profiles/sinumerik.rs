@@ -88,10 +88,15 @@ fn sinumerik_never_runs_a_spline_on() {
 }
 
 #[test]
-fn frames_of_sinumerik_are_told_and_not_passed_over() {
+fn a_frame_before_compensation_moves_the_whole_path() {
+    let plain = path_of(&square(["", "G450", "", ""]), Profile::Sinumerik);
     let text = format!("TRANS X10 Y5\n{}", square(["", "G450", "", ""]));
     let path = path_of(&text, Profile::Sinumerik);
-    assert_eq!(codes(&path), ["unknown-name"], "{:?}", path.diagnostics);
+    assert_eq!(codes(&path), [""; 0], "{:?}", path.diagnostics);
+    assert_eq!(path.moves.len(), plain.moves.len(), "as many moves");
+    for (moved, still) in path.moves.iter().zip(&plain.moves) {
+        near_point(moved.curve.end(), still.curve.end() + p(10.0, 5.0), 1e-9, "10 and 5 farther");
+    }
 }
 
 #[test]

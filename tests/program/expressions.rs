@@ -167,7 +167,7 @@ fn what_has_no_value_is_reported_and_moves_nothing() {
         ("[999999999**999]", "no-number"),
         ("[999999999*999999999]", "number-too-large"),
         ("[1000000001]", "number-too-large"),
-        ("FOO[1]", "missing-number"),
+        ("FOO[1]", "unknown-name"),
         ("ATAN[1]", "bad-expression"),
         ("SIN[1,2]", "bad-expression"),
         ("EXISTS[5]", "bad-expression"),

@@ -120,3 +120,11 @@ fn only_the_main_program_has_a_title() {
     let read = super::sample::read_clean("%\nO1 (LID)\nM98 P2\nM30\nO2 (HOLE)\nG0 X1\nM99\n%\n");
     assert_eq!(words(&read), ["(O1) (LID)", "(HOLE)", "M30"], "{read:?}");
 }
+
+#[test]
+fn m97_and_m98_h_call_blocks_of_the_program_itself() {
+    let text = "%\nO1\nG0 X10\nG91\nM97 P5 L2\nX100\nM30\nN5 X1\nX2\nM99\n%\n";
+    assert_eq!(xs(text, Fanuc), [10.0, 11.0, 13.0, 14.0, 16.0, 116.0], "Haas, behind the end");
+    assert_eq!(xs(&text.replace("M97 P5", "M98 H5"), Fanuc)[3..], [14.0, 16.0, 116.0], "FANUC");
+    assert_eq!(codes("G0 X1\nM97 P7\nM30\n", Fanuc), ["missing-subprogram"], "no such block");
+}

@@ -19,4 +19,5 @@ mod planes;
 mod posts;
 mod reported;
 mod sample;
+mod sinumerik;
 mod splines;

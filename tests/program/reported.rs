@@ -3,7 +3,7 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use g41::diagnostic::Origin;
-use g41::program::Interpretation;
+use g41::program::{Dialect, Interpretation, Program, Rules, interpret};
 
 use super::sample::{ERROR, INFO, WARNING, contours, found, moves, near, read, read_clean, words};
 
@@ -75,9 +75,15 @@ fn every_fault_is_reported_with_its_line_and_column() {
 }
 
 #[test]
-fn axes_without_a_motion_word_do_not_move() {
-    let read = read("X5 Y5\n");
-    assert_eq!(found(&read), [("no-motion-mode", ERROR, 1, Some(1))], "before G00 or G01");
+fn axes_without_a_motion_word_move_as_after_switching_on() {
+    let read = read("X5 Y5\nX9\n");
+    assert_eq!(found(&read), [("no-motion-mode", WARNING, 1, Some(1))], "before G00 or G01");
+    assert!(moves(&read).len() == 2 && moves(&read)[1].rapid, "{read:?}");
+    let feeds = super::sample::read("F100 X5 Y5\n");
+    assert!(!moves(&feeds)[0].rapid, "at the feed: {feeds:?}");
+    let strict = Rules { is_strict: true, ..Rules::default() };
+    let read = interpret(&Program::parse("X5 Y5\nX9\n", Dialect::Auto), strict);
+    assert_eq!(found(&read), [("no-motion-mode", ERROR, 1, Some(1))], "LinuxCNC stops");
     assert!(moves(&read).is_empty(), "{read:?}");
 }
 
