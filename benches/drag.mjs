@@ -29,7 +29,7 @@ export async function benchDrag() {
   const browser = await chromium.launch({ executablePath: findBrowser(), args: browserFlags });
   console.log("\none step of a drag in Chromium, wave of n type points, tolerance 1e-3 mm:");
   console.log(
-    "policy    radius        n     median       99 %      worst   99 % of as long idle   made in      memory",
+    "policy    radius        n     median       99 %      worst   99 % of as long idle   made in        memory",
   );
   try {
     for (const [gouge, radius] of [
@@ -63,7 +63,7 @@ function show(gouge, radius, n, { median, high, worst, idle, made, memory }) {
       ms(worst, 11),
       ms(idle, 26),
       `${made.toFixed(0)} ms`.padStart(10),
-      `${(memory / n).toFixed(0)} B/point`.padStart(12),
+      `${(memory / n).toFixed(0)} B/point`.padStart(14),
     ].join(""),
   );
 }
