@@ -81,6 +81,47 @@ test("what is no text is refused with its name", async ({ page }) => {
   expect(await g41.program.inputValue()).toBe(before);
 });
 
+test("what other editors write is read, with the letters of its language", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const text = `(Fr\u00e4ser)\n${SQUARE}`;
+  const wide = Buffer.from(text, "utf16le");
+  for (const [name, bytes] of [
+    ["little.nc", [0xff, 0xfe, ...wide]],
+    ["big.nc", [0xfe, 0xff, ...Buffer.from(wide).swap16()]],
+    ["latin.nc", [...Buffer.from(text, "latin1")]],
+  ] as const) {
+    await g41.drop({ name, bytes });
+    await expect(page.locator(".file-name")).toHaveText(name);
+    await expect(g41.program).toHaveValue(text);
+  }
+});
+
+test("what compensates nothing says so, and shows where the tool goes down", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const item = (name: string) => page.locator("#legend li", { hasText: name });
+  await expect(item("Plunge")).toBeHidden();
+  await expect(item("Contour")).toBeVisible();
+  await g41.drop({
+    name: "holes.nc",
+    text: "G21 G90\nG0 X0 Y0 Z5\nG81 X10 Y10 Z-5 R2 F80\nX20\nG80\nM30\n",
+  });
+  await expect(page.locator(".summary")).toContainText("there is no G41 or G42");
+  await expect(page.locator(".hint")).toContainText("there is no G41 or G42");
+  await expect(item("Plunge")).toBeVisible();
+  await expect(item("Contour")).toBeHidden();
+  await expect(page.getByRole("radio", { name: "Left G41" })).toBeDisabled();
+  await g41.settled();
+  const holes = await g41.picture();
+  await g41.drop({ name: "above.nc", text: "G21 G90\nG0 X0 Y0 Z5\nX10 Y10\nX20\nM30\n" });
+  await g41.settled();
+  await expect(item("Plunge")).toBeHidden();
+  expect(await g41.picture()).not.toBe(holes);
+  await g41.drop({ name: "empty.nc", text: "" });
+  await expect(page.locator(".summary")).toHaveText("The program is empty.");
+});
+
 test("each tool that the program calls may have its own radius", async ({ page }) => {
   const g41 = new G41Page(page);
   await g41.open();

@@ -81,12 +81,13 @@ test("a bend that is too tight is told with its depth, at its place", async ({ p
   await field.fill("9");
   await field.press("Enter");
   const row = page.locator(".diagnostic-error button").first();
-  await expect(row).toContainText(/line \d+.*mm deep/);
-  const depth = /(\d+\.\d+) mm deep/.exec((await row.textContent()) ?? "")?.[1];
+  await expect(row).toContainText(/mm too deep.*line \d+/);
+  const depth = /cuts ([\d.]+) mm too deep/.exec((await row.textContent()) ?? "")?.[1];
   await row.hover();
   await expect(page.locator(".callout strong")).toContainText("mm too deep");
   const told = /([\d.]+) mm too deep/.exec((await page.locator(".callout").textContent()) ?? "");
-  expect(Number(told?.[1])).toBeCloseTo(Number(depth), 3);
+  // The picture says it in thousandths.
+  expect(Math.abs(Number(told?.[1]) - Number(depth))).toBeLessThan(6e-4);
   await choose(page, "Avoid");
   await expect(page.locator(".diagnostic-uncut").first()).toBeVisible();
   await expect(row).not.toContainText("bends");

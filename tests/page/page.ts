@@ -6,6 +6,13 @@ import { expect } from "@playwright/test";
 /** A point [mm] or a place on the screen [px]. */
 export type Point = readonly [x: number, y: number];
 
+/** A file: a text, or its bytes. */
+export interface Dropped {
+  readonly name: string;
+  readonly text?: string;
+  readonly bytes?: readonly number[];
+}
+
 /** The page as a user meets it. */
 export class G41Page {
   readonly canvas: Locator;
@@ -36,11 +43,12 @@ export class G41Page {
   }
 
   /** Drops files onto the page. */
-  async drop(...files: { name: string; text: string }[]): Promise<void> {
+  async drop(...files: Dropped[]): Promise<void> {
     await this.page.evaluate((all) => {
       const dataTransfer = new DataTransfer();
-      for (const { name, text } of all) {
-        dataTransfer.items.add(new File([text], name, { type: "text/plain" }));
+      for (const { name, text, bytes } of all) {
+        const content = bytes ? Uint8Array.from(bytes) : (text ?? "");
+        dataTransfer.items.add(new File([content], name, { type: "text/plain" }));
       }
       for (const type of ["dragenter", "dragover", "drop"]) {
         const event = new DragEvent(type, { dataTransfer, bubbles: true, cancelable: true });

@@ -114,9 +114,9 @@ async function computeLong({ id, settings }: Request, file: File): Promise<Reply
   const began = performance.now();
   const tell = teller(id);
   tell(0, 0);
-  const bytes = new Uint8Array(await file.arrayBuffer());
-  if (bytes.includes(0)) throw new Error(`${file.name} is not a text`);
-  const { text, encoding } = decoded(bytes);
+  const found = decoded(new Uint8Array(await file.arrayBuffer()));
+  if (!found) throw new Error(`${file.name} is not a text`);
+  const { text, bytes, encoding } = found;
   const program = read(text, `${file.name} ${file.lastModified} ${file.size}`, settings, tell);
   const path = compensated(program, settings, tell);
   try {

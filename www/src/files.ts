@@ -99,12 +99,13 @@ export class Files {
       return;
     }
     const bytes = await file.arrayBuffer().catch(() => undefined);
-    if (!bytes || new Uint8Array(bytes).includes(0)) {
+    const found = bytes && decoded(new Uint8Array(bytes));
+    if (!found) {
       this.#say(`${name} ${bytes ? "is not a text" : "could not be read"}.`);
       return;
     }
     this.#stage.fitNext();
-    openText(this.#store, { ...empty, text: decoded(new Uint8Array(bytes)).text });
+    openText(this.#store, { ...empty, text: found.text });
   }
 
   async #openTable(file: File): Promise<void> {

@@ -9,13 +9,32 @@ export interface LongText {
   readonly encoding: "utf-8" | "windows-1252";
 }
 
-/** The text of bytes, and what they are: UTF-8, or what old editors write. */
-export function decoded(bytes: Uint8Array): { text: string; encoding: LongText["encoding"] } {
+/** A text, and bytes that it can be decoded from line by line. */
+export interface DecodedText {
+  readonly text: string;
+  readonly bytes: Uint8Array<ArrayBuffer>;
+  readonly encoding: LongText["encoding"];
+}
+
+/**
+ * The text of the bytes of a file: UTF-16 with its mark, UTF-8, or what old editors write; undefined for
+ * what is no text.
+ */
+export function decoded(bytes: Uint8Array<ArrayBuffer>): DecodedText | undefined {
+  const wide = bytes[0] === 0xff && bytes[1] === 0xfe ? "utf-16le" : "utf-16be";
+  if (wide === "utf-16le" || (bytes[0] === 0xfe && bytes[1] === 0xff)) {
+    const text = new TextDecoder(wide).decode(bytes);
+    // Lines are looked for by a byte, which in UTF-16 may be half of another letter.
+    if (text.includes("\0")) return undefined;
+    return { text, bytes: new TextEncoder().encode(text), encoding: "utf-8" };
+  }
+  if (bytes.includes(0)) return undefined;
   try {
-    return { text: new TextDecoder("utf-8", { fatal: true }).decode(bytes), encoding: "utf-8" };
+    const text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);
+    return { text, bytes, encoding: "utf-8" };
   } catch {
     const encoding = "windows-1252";
-    return { text: new TextDecoder(encoding).decode(bytes), encoding };
+    return { text: new TextDecoder(encoding).decode(bytes), bytes, encoding };
   }
 }
 

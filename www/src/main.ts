@@ -154,18 +154,9 @@ connectDrops(files);
 const showLine = codePanel(store, stage);
 diagnosticsPanel(find("diagnostics"), stage, store, showLine);
 callout(find("stage"), stage, store);
-deviationPanel(
-  find("deviation"),
-  find("toolbar").querySelector(".view-buttons") ?? find("toolbar"),
-  stage,
-  store,
-);
-const recolourMotion = motionButton(
-  find("motion"),
-  find("toolbar").querySelector(".view-buttons") ?? find("toolbar"),
-  stage,
-  store,
-);
+const drawers = find("toolbar").querySelector<HTMLElement>(".drawer-buttons") ?? find("toolbar");
+deviationPanel(find("deviation"), drawers, stage, store);
+const recolourMotion = motionButton(find("motion"), drawers, stage, store);
 legend(find("legend"), store);
 description(find("description"), store);
 connectScheme(find("scheme"), (scheme) => {

@@ -9,6 +9,7 @@ import { type Context, inMillimetres, mark, strokeLine } from "./canvas";
 import { drawFindings } from "./findings";
 import { drawAxisNames, drawGrid, drawScale } from "./grid";
 import type { Palette } from "./palette";
+import { drawPlunges } from "./plunges";
 import { type ClosedShape, type Shapes, shapesOf } from "./shapes";
 import { isFollowed, transitionLine, transitionPlace } from "./transition";
 
@@ -49,6 +50,7 @@ export function drawBase(
       for (const outline of shapes.outlines) context.stroke(outline);
       drawPath(context, shapes, palette, px);
     });
+    drawPlunges(context, view, result, palette);
     drawTransitions(context, view, result, palette);
   }
   drawScale(context, view, size, palette);

@@ -39,7 +39,7 @@ export function deviationPanel(
   stage: Stage,
   store: Store,
 ): void {
-  const button = iconButton("Deviation plot", ICON, "how far the path is off");
+  const button = iconButton("Deviation plot", ICON, "how far the path is off", "Deviation");
   button.setAttribute("aria-expanded", "false");
   button.setAttribute("aria-controls", section.id);
   buttons.append(button);

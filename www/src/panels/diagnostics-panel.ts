@@ -110,7 +110,7 @@ function diagnosticRow(diagnostic: Diagnostic, finding: Finding | undefined): Ro
   const { severity, message, depth, hint, at } = diagnostic;
   const line = lineOf(diagnostic);
   const lines = finding?.lines ?? (line === undefined ? [] : [line]);
-  const deep = severity !== "info" && depth !== undefined;
+  const deep = severity !== "info" && depth !== undefined && !message.includes(" mm too deep");
   return {
     key: keyOf(diagnostic),
     kind: severity,
@@ -158,5 +158,9 @@ function summarize(result: Result): string {
     const listed = uncut.length > MOST_UNCUT ? `, the largest ${MOST_UNCUT} listed` : "";
     parts.push(`${format(area)} mm² uncut in ${places}${listed}`);
   }
-  return parts.length > 0 ? parts.join(", ") : "Nothing found: no gouges.";
+  if (parts.length > 0) return parts.join(", ");
+  if (result.long || result.contours.length > 0) return "Nothing found: no gouges.";
+  return result.text.trim() === ""
+    ? "The program is empty."
+    : "Nothing found. Nothing is compensated: there is no G41 or G42.";
 }

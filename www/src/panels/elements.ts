@@ -38,8 +38,13 @@ export function icon(path: string): SVGSVGElement {
   return svg;
 }
 
-/** A button that shows an icon and is called `name`. */
-export function iconButton(name: string, path: string, keys: string): HTMLButtonElement {
+/** A button that shows an icon and is called `name`; `word` stands beside it where there is room. */
+export function iconButton(
+  name: string,
+  path: string,
+  keys: string,
+  word?: string,
+): HTMLButtonElement {
   const made = element("button", {
     type: "button",
     class: "icon-button",
@@ -47,6 +52,7 @@ export function iconButton(name: string, path: string, keys: string): HTMLButton
   });
   made.setAttribute("aria-label", name);
   made.append(icon(path));
+  if (word) made.append(element("span", { class: "button-word" }, word));
   return made;
 }
 

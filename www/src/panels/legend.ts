@@ -1,6 +1,7 @@
 // The legend: what the lines and marks of the picture mean, and how many corners take each kind.
 
 import type { Transition } from "g41";
+import { plungesOf } from "../draw/plunges";
 import { isFollowed } from "../draw/transition";
 import { findingsOf } from "../findings";
 import { FIELD, MoveRole, RAPID, type Result } from "../result";
@@ -13,6 +14,11 @@ const SWATCHES: readonly (readonly [name: string, kind: string, drawing: string]
   ["Tool path", "path", '<path d="M1 7h32" stroke-width="1.75"/>'],
   ["Not compensated", "free", '<path d="M1 7h32" stroke-width="1.5"/>'],
   ["Rapid", "rapid", '<path d="M1 7h32" stroke-width="1" stroke-dasharray="2 4"/>'],
+  [
+    "Plunge",
+    "plunge",
+    '<circle cx="17" cy="7" r="4.5" fill="none" stroke="currentColor" stroke-width="1.25"/><circle cx="17" cy="7" r="1.5" fill="currentColor"/>',
+  ],
   ["Lead-in, lead-out", "lead", '<path d="M1 7h32" stroke-width="1.5" stroke-dasharray="6 4"/>'],
   [
     "Shortened",
@@ -40,6 +46,9 @@ const SWATCHES: readonly (readonly [name: string, kind: string, drawing: string]
 /** What is shown only where there is some. */
 const WHERE_FOUND = ["gouge", "uncut"];
 
+/** What there is of a program that compensates, and only there. */
+const COMPENSATED = ["contour", "path", "lead"];
+
 /** What a very long program has too many of to be told apart. */
 const CORNERS = ["shortened", "elongated", "inserted"];
 
@@ -53,7 +62,7 @@ export function legend(list: HTMLElement, store: Store): void {
     const count = element("small");
     counts.set(kind, count);
     items.set(kind, item);
-    item.hidden = WHERE_FOUND.includes(kind) || kind === "free" || kind === "rapid";
+    item.hidden = WHERE_FOUND.includes(kind) || ["free", "rapid", "plunge"].includes(kind);
     item.append(element("span", {}, name), count);
     list.append(item);
   }
@@ -69,7 +78,10 @@ export function legend(list: HTMLElement, store: Store): void {
       const place = counts.get(kind);
       if (place) place.textContent = String(count);
     }
-    for (const kind of CORNERS) show(kind, !result.long);
+    const isCompensated = result.long !== undefined || result.contours.length > 0;
+    for (const kind of COMPENSATED) show(kind, isCompensated);
+    for (const kind of CORNERS) show(kind, isCompensated && !result.long);
+    show("plunge", plungesOf(result).length > 0);
     show("free", result.long !== undefined || hasMoves(result, false));
     show("rapid", result.long !== undefined || hasMoves(result, true));
     const findings = findingsOf(result);

@@ -15,7 +15,8 @@ export function motionButton(
   stage: Stage,
   store: Store,
 ): () => void {
-  const button = iconButton("Motion", ICON, "feed, acceleration and jerk, and how long it takes");
+  const keys = "feed, acceleration and jerk, and how long it takes";
+  const button = iconButton("Motion", ICON, keys, "Motion");
   button.setAttribute("aria-expanded", "false");
   button.setAttribute("aria-controls", section.id);
   buttons.append(button);

@@ -57,8 +57,10 @@ function choiceRow(row: HTMLElement, parameter: ChoiceParameter, store: Store): 
   return () => {
     const side = store.document.part.contours[0]?.side ?? store.state.result?.contours[0]?.side;
     choice.show(key === "side" ? side : store.document.settings[key]);
-    // Of a very long program the text is not edited.
-    if (key === "side") choice.root.disabled = store.document.file !== undefined;
+    // Of a very long program the text is not edited, and of some there is no side to change.
+    const { result } = store.state;
+    const hasNone = result !== undefined && result.contours.length === 0;
+    if (key === "side") choice.root.disabled = store.document.file !== undefined || hasNone;
   };
 }
 

@@ -4,7 +4,7 @@ import { changeKind, deleteSelected, move } from "../actions";
 import { canDelete } from "../edits";
 import { describePoint, locate, type SegmentKind, segmentOf } from "../part";
 import type { Stage } from "../stage";
-import type { Store } from "../state";
+import type { State, Store } from "../state";
 import { Choice, element, iconButton } from "./elements";
 import { NumberField } from "./number-field";
 
@@ -63,16 +63,16 @@ export function toolbar(bar: HTMLElement, stage: Stage, store: Store): void {
     role: "group",
     "aria-label": "History and view",
   });
-  view.append(undo, redo, element("span", { class: "divider" }), out, fit, closer);
+  const divider = () => element("span", { class: "divider" });
+  const drawers = element("span", { class: "drawer-buttons" });
+  view.append(drawers, divider(), undo, redo, divider(), out, fit, closer);
   bar.append(element("div", { class: "strip" }, hint, point), view);
 
   const show = () => {
     const { selection, history } = store.state;
     const { part } = store.document;
     const at = selection && locate(part, selection);
-    hint.textContent = store.document.file
-      ? "Click a move to find its line, or a line to find its moves."
-      : "Drag any point. Double-click a segment to add one.";
+    hint.textContent = hintOf(store.state);
     hint.hidden = Boolean(at);
     point.hidden = !at;
     undo.disabled = history.past.length === 0;
@@ -87,7 +87,24 @@ export function toolbar(bar: HTMLElement, stage: Stage, store: Store): void {
     remove.disabled = !canDelete(part, selection);
   };
   store.subscribe((state, before) => {
-    if (state.history !== before.history || state.selection !== before.selection) show();
+    const { history, selection, result } = before;
+    if (state.history !== history || state.selection !== selection || state.result !== result) {
+      show();
+    }
   });
   show();
+}
+
+/** What can be done with the picture as it is. */
+function hintOf({ history, result }: State): string {
+  const { file, part, text, partText } = history.present;
+  if (file) return "Click a move to find its line, or a line to find its moves.";
+  // Until the text has been read, nobody knows better than that something can be done.
+  if (result && text === partText && !part.contours.some(({ editable }) => editable)) {
+    return part.contours.length === 0
+      ? "Nothing here is compensated: there is no G41 or G42."
+      : "No point can be dragged here: change the text instead.";
+  }
+  const twice = matchMedia("(pointer: coarse)").matches ? "Double-tap" : "Double-click";
+  return `Drag any point. ${twice} a segment to add one.`;
 }
