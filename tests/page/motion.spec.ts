@@ -106,6 +106,45 @@ test("limits, override and method change the time, and are kept over a reload", 
   expect(g41.errors).toEqual([]);
 });
 
+test("by the textbook's method the plan is held beside the fast one", async ({ page }) => {
+  await opened(page, "star");
+  const fast = await time(page, "Cycle time");
+  const textbook = await time(page, "Textbook");
+  await page.getByRole("radio", { name: "Textbook" }).check();
+  await page.waitForTimeout(200);
+  await planned(page);
+  expect(await time(page, "Cycle time")).toBe(textbook);
+  expect(await time(page, "Fast")).toBe(fast);
+});
+
+test("what has no motion shows none, and leaves none of another program", async ({ page }) => {
+  const g41 = await opened(page, "star");
+  await g41.drop({ name: "empty.nc", text: "(nothing)\n" });
+  await expect(page.locator(".motion-failure")).toContainText("moves nothing");
+  await expect(page.locator(".motion-plots")).toBeHidden();
+  await expect(page.locator(".motion-times")).toBeHidden();
+  await expect(page.getByLabel("Velocity in mm/min")).toBeVisible();
+  await g41.drop({ name: "line.nc", text: "G1 X10 F300\n" });
+  await expect(page.locator(".motion-plots")).toBeVisible();
+  await expect(page.locator(".motion-failure")).toBeEmpty();
+  expect(g41.errors).toEqual([]);
+});
+
+test("the picture keeps the part in sight beside the panel, also where there is little room", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 1024, height: 768 });
+  const g41 = await opened(page, "star");
+  const box = await g41.canvas.boundingBox();
+  expect(box?.height).toBeGreaterThan(220);
+  const where = await g41.locator();
+  const [, top] = where([0, 36]);
+  const [, bottom] = where([0, -38]);
+  expect(top).toBeGreaterThan(box?.y ?? 0);
+  expect(bottom).toBeLessThan((box?.y ?? 0) + (box?.height ?? 0));
+  expect(bottom - top).toBeGreaterThan(100);
+});
+
 test("one panel is open below the picture", async ({ page }) => {
   await opened(page);
   await page.getByRole("button", { name: "Deviation plot" }).click();

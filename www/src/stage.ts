@@ -46,6 +46,8 @@ export class Stage {
   #baseStale = true;
   #frame = 0;
   #fitWanted = true;
+  /** Whether the whole part is shown, and not what someone has moved or scaled to. */
+  #isFitted = true;
   #pointer: Point | undefined;
   #hover: PointRef | undefined;
   #hoverSegment: number | undefined;
@@ -72,6 +74,9 @@ export class Stage {
     this.#drawing = drawing;
     this.#onView = onView;
     new ResizeObserver(() => this.#resize()).observe(element);
+    window.addEventListener("resize", () => {
+      this.#fitWanted ||= this.#isFitted;
+    });
     store.subscribe((state, before) => this.#changed(state, before));
     for (const name of ["focus", "blur"]) this.overlay.addEventListener(name, () => this.redraw());
   }
@@ -106,6 +111,7 @@ export class Stage {
       return;
     }
     this.#fitWanted = false;
+    this.#isFitted = true;
     const small = Math.min(this.#size.width, this.#size.height) < 480;
     const margin = small ? 32 : MARGIN;
     this.#setView(
@@ -123,13 +129,20 @@ export class Stage {
     this.#fitWanted = true;
   }
 
+  /** Shows the whole part in the room that there is now, if it was shown before. */
+  keepFit(): void {
+    if (this.#isFitted) this.fit();
+  }
+
   /** Moves the picture [px]. */
   pan(dx: number, dy: number): void {
+    this.#isFitted = false;
     this.#setView(panned(this.#view, dx, dy));
   }
 
   /** Scales the picture about a point of the canvas, by default its middle. */
   zoom(factor: number, at: Point = [this.#size.width / 2, this.#size.height / 2]): void {
+    this.#isFitted = false;
     this.#setView(zoomed(this.#view, at, factor));
   }
 

@@ -8,7 +8,7 @@ import type { MotionData, MotionReply, MotionRequest, Other } from "./protocol";
 /** What is told of the answers. */
 export interface MotionListeners {
   planned(data: MotionData): void;
-  compared(stops: Other | undefined, textbook: Other | undefined): void;
+  compared(stops: Other | undefined, method: Other | undefined): void;
   failed(message: string): void;
   busy(busy: boolean): void;
 }
@@ -75,7 +75,7 @@ export class MotionClient {
     if (reply.id !== this.#id) return;
     if (reply.kind === "others") {
       this.#since = undefined;
-      this.#tell.compared(reply.stops, reply.textbook);
+      this.#tell.compared(reply.stops, reply.method);
       return;
     }
     this.#underWay = undefined;

@@ -1,15 +1,18 @@
-// The time of the plan beside those of a stop at each block and of the textbook's method.
+// The time of the plan beside those of a stop at each block and of the other method.
 
 import type { Violation } from "g41";
 import { element } from "../panels/elements";
 import { seconds } from "./player";
-import type { MotionData, Other } from "./protocol";
+import { type MotionData, type Other, otherMethod } from "./protocol";
+
+/** What the methods are called. */
+const METHODS = { fast: "Fast", textbook: "Textbook" } as const;
 
 /** A list of three times; the others come later than the plan. */
 export class Comparison {
   readonly root = element("ul", { class: "motion-times", "aria-label": "Cycle times" });
   #duration = 0;
-  #others = [tile("Full stops"), tile("Textbook")] as const;
+  #others = [tile("Full stops"), tile("")] as const;
   #own = tile("Cycle time");
 
   constructor() {
@@ -17,8 +20,9 @@ export class Comparison {
   }
 
   /** Shows the time of the plan. */
-  show({ duration, violations }: MotionData): void {
+  show({ duration, violations, limits }: MotionData): void {
     this.#duration = duration;
+    this.#others[1].name.textContent = METHODS[otherMethod(limits.mode)];
     this.#own.time.textContent = seconds(duration);
     this.#own.note.textContent = broken(violations) ?? "keeps every limit";
     this.#own.note.className = violations.length > 0 ? "beyond" : "inside";
@@ -26,8 +30,8 @@ export class Comparison {
   }
 
   /** Shows the times of the others. */
-  compare(stops: Other | undefined, textbook: Other | undefined): void {
-    [stops, textbook].forEach((other, i) => {
+  compare(stops: Other | undefined, method: Other | undefined): void {
+    [stops, method].forEach((other, i) => {
       const shown = this.#others[i];
       if (!shown) return;
       const { root, time, note } = shown;
@@ -42,9 +46,10 @@ export class Comparison {
   }
 }
 
-function tile(name: string) {
-  const [time, note] = [element("strong", {}, "…"), element("small", {}, "")];
-  return { root: element("li", {}, element("span", {}, name), time, note), time, note };
+function tile(title: string) {
+  const [name, time] = [element("span", {}, title), element("strong", {}, "…")];
+  const note = element("small", {}, "");
+  return { root: element("li", {}, name, time, note), name, time, note };
 }
 
 function ratio(time: number, own: number): string {
@@ -61,7 +66,7 @@ function broken(violations: readonly Violation[]): string | undefined {
   if (violations.length === 0) return undefined;
   const words = violations.map(({ limit, value, allowed }) => {
     const times = value / allowed;
-    const by = times >= 1.1 && times < 1e6 ? ` ${times.toFixed(times >= 10 ? 0 : 1)} times` : "";
+    const by = times >= 1.1 && times < 1e6 ? ` ×${times.toFixed(times >= 10 ? 0 : 1)}` : "";
     return `${NAMES[limit]}${by}`;
   });
   return `breaks ${words.join(", ")}`;

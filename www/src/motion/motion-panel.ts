@@ -40,10 +40,8 @@ export class MotionPanel {
   });
   #client = new MotionClient({
     planned: (data) => this.#planned(data),
-    compared: (stops, textbook) => this.#comparison.compare(stops, textbook),
-    failed: (message) => {
-      this.#failure.textContent = message;
-    },
+    compared: (stops, method) => this.#comparison.compare(stops, method),
+    failed: (message) => this.#failed(message),
     busy: (busy) => this.#section.setAttribute("aria-busy", String(busy)),
   });
 
@@ -57,11 +55,13 @@ export class MotionPanel {
       this.#askSoon();
     });
     const side = element("div", { class: "motion-side" }, form.root);
-    const shown = element("div", { class: "motion-shown" }, this.#tools(), this.#plots.root);
+    const shown = element("div", { class: "motion-shown" }, this.#plots.root);
     const title = element("h2", { class: "hidden" }, "Motion");
-    const head = element("div", { class: "motion-top" }, this.#comparison.root, this.#player.root);
+    const bar = element("div", { class: "motion-bar" }, this.#player.root, this.#tools());
     const body = element("div", { class: "motion-body" }, shown, side);
-    section.append(title, head, this.#failure, body);
+    section.append(title, this.#comparison.root, bar, this.#failure, body);
+    // What is said of the times may take another line, and with it height of the picture.
+    new ResizeObserver(() => stage.keepFit()).observe(section);
     store.subscribe((state, before) => {
       const { text, settings } = state.history.present;
       const old = before.history.present;
@@ -117,11 +117,24 @@ export class MotionPanel {
     this.#client.ask(text, settings, limitsOf(this.#machine));
   }
 
+  /** There is nothing to show: what was planned before is of another program, or another machine. */
+  #failed(message: string): void {
+    this.#data = undefined;
+    this.#failure.textContent = message;
+    this.#section.dataset.failed = "";
+    this.close();
+  }
+
   #planned(data: MotionData): void {
+    if (data.duration === 0) {
+      this.#failed("There is no motion: the program moves nothing.");
+      return;
+    }
     // With its first plots the panel takes its height from the picture.
     if (!this.#data) this.#stage.fitNext();
     this.#data = data;
     this.#failure.textContent = "";
+    delete this.#section.dataset.failed;
     this.#comparison.show(data);
     this.#player.setDuration(data.duration);
     this.#plots.show(data, this.#across);

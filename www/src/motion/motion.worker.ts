@@ -10,7 +10,13 @@ import init, {
 } from "g41";
 import { compensationOptions, parseOptions, type Settings } from "../parameters";
 import { FIELD, RAPID } from "../result";
-import type { MotionData, MotionReply, MotionRequest, Other } from "./protocol";
+import {
+  type MotionData,
+  type MotionReply,
+  type MotionRequest,
+  type Other,
+  otherMethod,
+} from "./protocol";
 
 /** The place of the feed in a record. */
 const FEED = 3;
@@ -43,10 +49,20 @@ self.addEventListener("message", async ({ data }: MessageEvent<MotionRequest>) =
     // After an internal error the package asks to be loaded afresh.
     ready = init();
     held = undefined;
-    const message = error instanceof Error ? error.message : String(error);
-    self.postMessage({ kind: "failure", id: data.id, message } satisfies MotionReply);
+    self.postMessage({
+      kind: "failure",
+      id: data.id,
+      message: reasonOf(error),
+    } satisfies MotionReply);
   }
 });
+
+/** Why there is no motion, in words for those who did not call a function. */
+function reasonOf(error: unknown): string {
+  const message = error instanceof Error ? error.message : String(error);
+  if (!message.includes("million samples")) return message;
+  return "This motion is too long to be shown: it has more than 8 million samples. A longer period gives fewer.";
+}
 
 /** The path of a program, compensated unless it is the one that is held. */
 function pathOf({ text, settings }: MotionRequest): ToolPath {
@@ -111,20 +127,20 @@ function movesOf(path: ToolPath, { velocity, feedOverride = 1 }: Limits) {
   return { feeds, rapid, lines };
 }
 
-/** Tells how long the path takes with a stop at each block, and by the textbook's method. */
+/** Tells how long the path takes with a stop at each block, and by the other method. */
 async function compared(path: ToolPath, { id, limits }: MotionRequest): Promise<void> {
   const others: (Other | undefined)[] = [];
   for (const change of [
     { exactStop: true, mode: "fast" },
-    { exactStop: false, mode: "textbook" },
+    { exactStop: false, mode: otherMethod(limits.mode) },
   ] as const) {
     // What was asked meanwhile comes first.
     await new Promise((resolve) => setTimeout(resolve));
     if (latest !== id) return;
     others.push(path.count > MOST_COMPARED ? undefined : other(path, { ...limits, ...change }));
   }
-  const [stops, textbook] = others;
-  self.postMessage({ kind: "others", id, stops, textbook } satisfies MotionReply);
+  const [stops, method] = others;
+  self.postMessage({ kind: "others", id, stops, method } satisfies MotionReply);
 }
 
 function other(path: ToolPath, limits: Limits): Other | undefined {

@@ -379,13 +379,14 @@ function style(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(name).trim();
 }
 
-/** The largest feed while cutting [mm/s]: rapid moves, far above it, would flatten it. */
+/**
+ * The largest feed while cutting [mm/s], allowed or reached: rapid moves, far above it, would flatten it.
+ */
 function cuttingFeed({ feeds, rapid, velocity, block, limits }: MotionData): number {
   let most = 0;
   feeds.forEach((feed, move) => {
     if (!rapid[move]) most = Math.max(most, feed);
   });
-  if (most > 0) return most;
   velocity.forEach((value, i) => {
     if (!rapid[block[i] as number]) most = Math.max(most, value);
   });

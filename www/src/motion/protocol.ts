@@ -57,6 +57,12 @@ export type MotionReply =
       readonly kind: "others";
       readonly id: number;
       readonly stops: Other | undefined;
-      readonly textbook: Other | undefined;
+      /** By the method that was not asked for. */
+      readonly method: Other | undefined;
     }
   | { readonly kind: "failure"; readonly id: number; readonly message: string };
+
+/** The method that a plan is held beside. */
+export function otherMethod(mode: Limits["mode"]): "fast" | "textbook" {
+  return mode === "textbook" ? "fast" : "textbook";
+}
