@@ -144,6 +144,8 @@ mod tests {
             ("G2 X5 Y5 CR=5 ; arc\n", Dialect::Sinumerik),
             ("N10 ASPLINE X1 Y2\n", Dialect::Sinumerik),
             ("N10 MSG(\"here\")\n", Dialect::Sinumerik),
+            ("N10 TRANS X10\n", Dialect::Sinumerik),
+            ("N10 CYCLE800()\nG0 SUPA Z0\n", Dialect::Sinumerik),
             ("", Dialect::Auto),
             ("(open\nO<a> sub", Dialect::LinuxCnc),
         ] {

@@ -41,7 +41,7 @@ pub(crate) fn characters(random: &mut Random, length: usize) -> String {
 
 /// Proper words in no order.
 pub(crate) fn words(random: &mut Random, count: usize) -> String {
-    const WORDS: [&str; 104] = [
+    const WORDS: [&str; 112] = [
         "G0", "G1", "G1", "G1", "G2", "G3", "G05", "G05", "G17", "G18", "G20", "G21", "G40", "G40",
         "G41", "G42", "G41", "G41.1", "G42.1", "G90", "G91", "G90.1", "G91.1", "G4", "G28", "G81",
         "G80", "G5.1", "G92", "G53", "M3", "M6", "M0", "T1", "S900", "F600", "F0", "D1", "D2",
@@ -50,7 +50,7 @@ pub(crate) fn words(random: &mut Random, count: usize) -> String {
         "G83", "G84", "G86", "G87", "G88", "G89", "G92.1", "G92.2", "G92.3", "G95", "G96", "G97",
         "G98", "G99", "G28.1", "G53", "L2", "L20", "P1", "G49", "G33", "G33.1", "G38.2", "G38.5",
         "G31", "G60", "G67", "G12.1", "G13.1", "G30", "G28", "B5", "C-3", "U2", "V1", "W-1", "K1",
-        "G70", "G71", "G461",
+        "G70", "G71", "G461", "G22", "G103", "G110", "G154", "G187", "G505", "M97", "M98",
     ];
     const LETTERS: [&str; 15] =
         ["X", "Y", "X", "Y", "X", "Y", "Z", "I", "J", "R", "P", "Q", "K", "L", "A"];
@@ -86,7 +86,7 @@ pub(crate) fn words(random: &mut Random, count: usize) -> String {
 
 /// Blocks of curves, and words between them, in no order.
 pub(crate) fn curves(random: &mut Random, count: usize) -> String {
-    const HEADS: [&str; 32] = [
+    const HEADS: [&str; 44] = [
         "G5",
         "G5.1",
         "G5.2",
@@ -119,6 +119,18 @@ pub(crate) fn curves(random: &mut Random, count: usize) -> String {
         "M3",
         "G93 F2",
         "G4 P1",
+        "TRANS",
+        "ATRANS",
+        "ROT RPL=30",
+        "AROT RPL=-100",
+        "MIRROR",
+        "AMIRROR",
+        "ASCALE",
+        "SCALE",
+        "IF R1==0 GOTOF AB",
+        "AB:",
+        "G1 X=IC(1) Y=AC(3)",
+        "CYCLE800()",
     ];
     const WORDS: [&str; 14] =
         ["X", "Y", "X", "Y", "X", "Y", "Z", "I", "J", "P", "Q", "K", "R", "L"];
