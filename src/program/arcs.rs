@@ -1,18 +1,23 @@
-//! G02 and G03, and where involutes join them: arcs by centre or radius, in each plane, of several turns and helical.
+//! G02 and G03, and where involutes join them: arcs by centre, radius or angle (AR), in each plane, of several turns
+//! and helical; SINUMERIK's CT and CIP.
 
 use std::f64::consts::TAU;
 
 use glam::{DVec2, DVec3};
 
 use super::block::{Block, Word};
+use super::frame::radians;
 use super::interpret::Interpreter;
 use super::number::whole;
 use super::words::Words;
 use crate::contour::{Attributes, Shape};
-use crate::geometry::{Curve, CurveError, RadiusForm};
+use crate::geometry::{Curve, CurveError, RadiusForm, perp, rotate, sin_cos, turn};
 
 /// Most turns of one arc.
 const MOST_TURNS: u32 = 10_000;
+
+/// Angles between chord and tangent below which an arc is straight [rad].
+const STRAIGHT: f64 = 1e-9;
 
 /// The letters of a centre, for x, y and z.
 pub(super) const CENTER: [char; 3] = ['I', 'J', 'K'];
@@ -26,10 +31,14 @@ impl Interpreter {
         clockwise: bool,
         involute: bool,
     ) {
-        let Some((axes, to)) = self.target(block, words, "IJKR") else { return };
+        let Some((axes, mut to)) = self.target(block, words, "IJKR") else { return };
+        let clockwise = clockwise != self.modal.frame.flips(self.modal.plane);
+        let by_angle =
+            words.take('a').and_then(|word| self.arc_by_angle(word, words, &mut to, clockwise));
         let attributes = self.attributes(block, false, to);
-        let clockwise = clockwise != self.modal.frame.flips(attributes.plane);
-        let (turns, shape) = if involute {
+        let (turns, shape) = if by_angle.is_some() {
+            (self.turns(block, words), by_angle)
+        } else if involute {
             (1, self.involute_shape(block, words, &axes, to, clockwise))
         } else {
             (self.turns(block, words), self.arc_shape(block, words, to, clockwise))
@@ -41,10 +50,73 @@ impl Interpreter {
         self.arrive(&axes, to);
     }
 
-    /// The P word: how many turns, full or not.
+    /// CT, and CIP where it is `by_point`.
+    pub(super) fn arc_by_point(&mut self, block: &Block, words: &mut Words, by_point: bool) {
+        let plane = self.modal.plane;
+        let mut via = self.modal.frame.unmap(self.modal.position);
+        for (i, letter) in ['x', 'y', 'z'].into_iter().enumerate() {
+            if let Some(word) = words.take(letter) {
+                let value = self.modal.length_of(i, word.value);
+                via[i] = if self.modal.relative { via[i] + value } else { value };
+            }
+        }
+        let via = plane.split(self.modal.frame.map(via)).0;
+        let from = plane.split(self.modal.position).0;
+        let Some((axes, to)) = self.target(block, words, "") else { return };
+        let attributes = self.attributes(block, false, to);
+        let end = plane.split(to).0;
+        // An angle that the arc spans is twice that between chord and tangent, or seen from a point on
+        // it: the centre is beside the middle of the chord by half of it over the tangent of that.
+        let (chord, seen) = (end - from, [via - from, end - via]);
+        let angle = match self.course.heading {
+            _ if by_point => turn(seen[0], seen[1]),
+            Some(heading) => turn(heading, chord),
+            None => 0.0,
+        };
+        let straight = angle.abs() < STRAIGHT || self.even_factor(block).is_none();
+        if straight {
+            self.line(&axes, to, attributes);
+        } else {
+            let shape = arc_over(from, end, 2.0 * angle);
+            let turns = self.turns(block, words);
+            self.turning(shape, turns, attributes);
+        }
+        self.arrive(&axes, to);
+    }
+
+    /// The arc of an angle (AR), between its ends or about its centre, where it moves `to`.
+    fn arc_by_angle(
+        &mut self,
+        word: &Word,
+        words: &mut Words,
+        to: &mut DVec3,
+        clockwise: bool,
+    ) -> Option<Shape> {
+        let plane = self.modal.plane;
+        let [first, second, _] = plane.axes();
+        let angle = radians(if clockwise { -word.value } else { word.value });
+        let from = plane.split(self.modal.position).0;
+        let (end, height) = plane.split(*to);
+        let centers = [first, second].map(|i| words.take(CENTER[i]));
+        if centers == [None; 2] {
+            return (end != from).then(|| arc_over(from, end, angle));
+        }
+        let center = self.center(centers, self.modal.absolute_center);
+        let end = center + rotate(from - center, angle);
+        *to = plane.place(end, height);
+        Some(Shape::Arc { to: end, center, clockwise })
+    }
+
+    /// The P word: how many turns, full or not; TURN, how many more.
     fn turns(&mut self, block: &Block, words: &mut Words) -> u32 {
-        let Some(word) = words.take('P') else { return 1 };
-        if let Some(turns @ 1..=MOST_TURNS) = whole(word.value) {
+        let (word, more) = match words.take('t') {
+            Some(word) => (word, 1.0),
+            None => match words.take('P') {
+                Some(word) => (word, 0.0),
+                None => return 1,
+            },
+        };
+        if let Some(turns @ 1..=MOST_TURNS) = whole(word.value + more) {
             return if turns == 1 || self.may_expand(block, turns) { turns } else { 1 };
         }
         let at = block.origin_at(word.column);
@@ -171,4 +243,11 @@ impl Interpreter {
         }
         factor
     }
+}
+
+/// The arc between two points over an angle [rad], to the left where that is positive.
+fn arc_over(from: DVec2, to: DVec2, angle: f64) -> Shape {
+    let (sin, cos) = sin_cos(0.5 * angle);
+    let center = 0.5 * (from + to) + perp(to - from) * (0.5 * cos / sin);
+    Shape::Arc { to, center, clockwise: angle < 0.0 }
 }

@@ -16,6 +16,10 @@ pub(super) enum Motion {
         /// G02.
         clockwise: bool,
     },
+    /// CT: the arc that goes on tangentially.
+    Tangent,
+    /// CIP: the arc through a point between (I1, J1, K1).
+    ByPoint,
     /// G02.2 and G03.2.
     Involute {
         /// G02.2.

@@ -386,6 +386,11 @@ impl LineReader<'_> {
             Some(number) if letter == b'R' && number <= super::parameters::LAST => {
                 self.set(Target::Number(number), from);
             }
+            Some(1) if matches!(letter, b'I'..=b'K') => {
+                // The point between of CIP.
+                let value = self.expression(1);
+                self.accept_value(letter - b'I' + b'x', value, from);
+            }
             _ => {
                 let value = self.expression(1);
                 let unknown = Fault { code: "unknown-name", message: "it is not known", at: from };

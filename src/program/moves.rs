@@ -31,7 +31,10 @@ impl Interpreter {
             let (others, _) = self.other_axes(block, words);
             self.pass_on(others, false, block.origin());
         }
-        if matches!(motion, Motion::Rapid | Motion::Linear | Motion::Arc { .. }) {
+        if matches!(
+            motion,
+            Motion::Rapid | Motion::Linear | Motion::Arc { .. } | Motion::Tangent | Motion::ByPoint
+        ) {
             self.ask_of_corner(block, words);
         }
         match motion {
@@ -75,6 +78,9 @@ impl Interpreter {
             }
             Motion::Passed(tenths) => self.passed_move(block, tenths, words),
             Motion::Arc { clockwise } => self.arc(block, words, clockwise, false),
+            Motion::Tangent | Motion::ByPoint => {
+                self.arc_by_point(block, words, motion == Motion::ByPoint);
+            }
             Motion::Involute { clockwise } => self.arc(block, words, clockwise, true),
             Motion::Cycle(number) => self.cycle(block, number, words),
             Motion::TypePoints | Motion::Cubic => self.g05(block, words),

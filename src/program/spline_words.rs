@@ -4,7 +4,8 @@
 //! for how they begin and end, `w` for PW, `l` for PL and `d` for SD; `k` for NORM and KONT and `v`
 //! for DISC, `o` for OFFN, which are no words for splines (`corner_words`), and `r`, `m`, `c`, `f`,
 //! `g` and `h` for RND, RNDM, CHR, CHF, FRC and FRCM (`corner_cuts`), `n` and `p` for the programmable
-//! frames and RPL (`sinumerik`).
+//! frames and RPL (`sinumerik`), `a`, `t`, `x`, `y` and `z` for AR, TURN, I1, J1 and K1 (`arcs`); CT and
+//! CIP are an `s`, too.
 
 use glam::{DVec2, DVec3};
 
@@ -18,7 +19,7 @@ use crate::contour::Shape;
 use crate::geometry::{RadiusForm, perp};
 
 /// Words without a number: their letter and the number that stands for them.
-pub(super) const NAMES: [(&str, char, f64); 22] = [
+pub(super) const NAMES: [(&str, char, f64); 24] = [
     // For one block no frame counts, as by G53.
     ("SUPA", 'G', 53.0),
     ("TRANS", 'n', 0.0),
@@ -36,6 +37,8 @@ pub(super) const NAMES: [(&str, char, f64); 22] = [
     ("ASPLINE", 's', 0.0),
     ("BSPLINE", 's', 1.0),
     ("CSPLINE", 's', 2.0),
+    ("CT", 's', 3.0),
+    ("CIP", 's', 4.0),
     ("BAUTO", 'b', 0.0),
     ("BNAT", 'b', 1.0),
     ("BTAN", 'b', 2.0),
@@ -45,13 +48,15 @@ pub(super) const NAMES: [(&str, char, f64); 22] = [
 ];
 
 /// Words with a value behind `=`, and their letters.
-pub(super) const ADDRESSES: [(&str, u8); 12] = [
+pub(super) const ADDRESSES: [(&str, u8); 14] = [
     ("PW", b'w'),
     ("PL", b'l'),
     ("SD", b'd'),
     ("DISC", b'v'),
     ("OFFN", b'o'),
     ("RPL", b'p'),
+    ("AR", b'a'),
+    ("TURN", b't'),
     ("RND", b'r'),
     ("RNDM", b'm'),
     ("CHR", b'c'),
@@ -78,12 +83,13 @@ impl Interpreter {
             }
         }
         if let Some(word) = words.take('s') {
-            let family = match word.value {
-                0.0 => Family::Akima,
-                1.0 => Family::Controls,
-                _ => Family::Cubic,
-            };
-            let motion = Some(Motion::Named(family));
+            let motion = Some(match word.value {
+                0.0 => Motion::Named(Family::Akima),
+                1.0 => Motion::Named(Family::Controls),
+                2.0 => Motion::Named(Family::Cubic),
+                3.0 => Motion::Tangent,
+                _ => Motion::ByPoint,
+            });
             (demands.motion, self.modal.motion) = (motion, motion);
             self.modal.cycle.end();
         }

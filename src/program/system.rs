@@ -119,9 +119,8 @@ impl Interpreter {
                 Some(Motion::Through) => 61.0,
                 Some(Motion::Knots) => 62.0,
                 Some(Motion::Passed(number)) => f64::from(number),
-                Some(Motion::Involute { .. } | Motion::Named(_) | Motion::NotSupported(_)) => {
-                    return None;
-                }
+                // Those that other controls alone have.
+                Some(_) => return None,
             }),
             _ => None,
         }

@@ -2,6 +2,7 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
+use g41::contour::MoveCurve;
 use g41::program::Dialect::Sinumerik;
 use g41::program::{Program, Rules, RunOptions, Runner, interpret};
 
@@ -114,4 +115,42 @@ fn what_moves_nothing_is_noted_and_what_is_unknown_said_once() {
 fn exact_stop_makes_no_rapid() {
     let made = clean("G0 X0 Y0 Z0\nG1 G60 X5 F100\nM30\n");
     assert_eq!(made[1], "5 0 0", "{made:?}");
+}
+
+/// Centres and senses of the arcs of a program.
+fn arcs(text: &str) -> Vec<(f64, f64, bool)> {
+    let round = |value: f64| (value * 1e9).round() / 1e9 + 0.0;
+    let found = super::sample::moves(&read(text));
+    let arc = |one: &g41::contour::Move| match one.curve {
+        MoveCurve::Arc(arc) => {
+            Some((round(arc.center().x), round(arc.center().y), arc.is_clockwise()))
+        }
+        _ => None,
+    };
+    found.iter().filter_map(arc).collect()
+}
+
+#[test]
+fn arcs_by_tangent_point_and_angle() {
+    // By hand: quarters and halves of circles of 10 mm.
+    for (block, expected) in [
+        ("CT X20 Y10", (10.0, 10.0, false)),
+        ("CT X20 Y-10", (10.0, -10.0, true)),
+        ("CT X10 Y20", (10.0, 10.0, false)),
+        ("CIP X10 Y20 I1=20 J1=10", (10.0, 10.0, false)),
+        ("CIP X10 Y20 I1=0 J1=10", (10.0, 10.0, true)),
+        ("G91 CIP X0 Y20 I1=10 J1=10", (10.0, 10.0, false)),
+        ("G3 X20 Y10 AR=90", (10.0, 10.0, false)),
+        ("G2 X20 Y10 AR=270", (10.0, 10.0, true)),
+        ("G3 I0 J10 AR=90", (10.0, 10.0, false)),
+        ("G3 X20 Y10 I=AC(10) J=AC(10)", (10.0, 10.0, false)),
+    ] {
+        let text = format!("G0 X0 Y0 Z0\nG1 X10 F100\n{block}\nM30\n");
+        assert_eq!(arcs(&text), [expected], "{block}");
+    }
+    let turned = read("G0 X0 Y0 Z0\nG1 X10 F100\nG3 I0 J10 AR=90\nX0\nM30\n");
+    assert_eq!(steps(&turned)[2], "20 10 0", "where the angle ends: {:?}", steps(&turned));
+    let helix = arcs("G0 X0 Y0 Z0\nG1 X10 F100\nG3 X20 Y10 Z-6 I0 J10 TURN=2\nM30\n");
+    assert_eq!(helix.len(), 3, "two whole turns more");
+    assert_eq!(arcs("G0 X0 Y0 Z0\nG1 X10 F100\nCT X20 Y0\nM30\n").len(), 0, "straight on");
 }

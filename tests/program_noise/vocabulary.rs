@@ -86,7 +86,7 @@ pub(crate) fn words(random: &mut Random, count: usize) -> String {
 
 /// Blocks of curves, and words between them, in no order.
 pub(crate) fn curves(random: &mut Random, count: usize) -> String {
-    const HEADS: [&str; 44] = [
+    const HEADS: [&str; 48] = [
         "G5",
         "G5.1",
         "G5.2",
@@ -131,6 +131,10 @@ pub(crate) fn curves(random: &mut Random, count: usize) -> String {
         "AB:",
         "G1 X=IC(1) Y=AC(3)",
         "CYCLE800()",
+        "CT",
+        "CIP I1=1 J1=-2",
+        "G3 AR=90",
+        "G2 TURN=2",
     ];
     const WORDS: [&str; 14] =
         ["X", "Y", "X", "Y", "X", "Y", "Z", "I", "J", "P", "Q", "K", "R", "L"];
