@@ -200,8 +200,7 @@ impl Passing {
             // The fastest speed of the spindle, where G92 knows axes alone.
             self.left_out('G', value, origin);
         } else if number == 490 && self.no_length {
-            // What it would end has not begun.
-            self.no_length = false;
+            // What it would end has not begun, however often that is said.
         } else if number == 40 {
             let seconds = ['P', 'X', 'U', 'S'].into_iter().find_map(|word| find(parameters, word));
             push_command(line, 'G', 4.0, &[], out);

@@ -260,3 +260,12 @@ fn dwells_of_fanuc_count_milliseconds_unless_they_have_a_point() {
         assert_eq!(codes(text, Dialect::Fanuc), ["dwell-point"], "{text}");
     }
 }
+
+#[test]
+fn the_end_of_a_length_that_was_left_out_is_left_out_each_time() {
+    let ends = |text: &str| {
+        written(text, Target::Grbl).0.iter().filter(|block| block.contains("G49")).count()
+    };
+    assert_eq!(ends("G0 Z9\nG43 H1 Z5\nG0 X1\nG49\nG0 X2\nG49 X3\nM2\n"), 0, "grbl has no H");
+    assert_eq!(ends("G0 Z9\nG43.1 Z5\nG0 X1\nG49\nM2\n"), 1, "what it has it ends");
+}
