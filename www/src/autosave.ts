@@ -21,14 +21,18 @@ export interface Saved {
 /** The document as it was left; undefined where none was saved. */
 export function restore(): Saved | undefined {
   try {
-    const saved: unknown = JSON.parse(localStorage.getItem(KEY) ?? "null");
-    if (!saved || typeof saved !== "object") return undefined;
-    const { name, text, settings } = saved as Partial<Saved>;
-    if (typeof text !== "string" || !settings || typeof settings !== "object") return undefined;
-    return { name: typeof name === "string" ? name : "", text, settings: valid(settings) };
+    return validDocument(JSON.parse(localStorage.getItem(KEY) ?? "null"));
   } catch {
     return undefined;
   }
+}
+
+/** A document that was kept or passed on, with settings that the page knows; undefined for none. */
+export function validDocument(saved: unknown): Saved | undefined {
+  if (!saved || typeof saved !== "object") return undefined;
+  const { name, text, settings } = saved as Partial<Saved>;
+  if (typeof text !== "string" || !settings || typeof settings !== "object") return undefined;
+  return { name: typeof name === "string" ? name : "", text, settings: valid(settings) };
 }
 
 /** Saves the document after each change. */

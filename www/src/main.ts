@@ -41,6 +41,7 @@ import { connectPointers } from "./pointer";
 import { partOf } from "./program-text";
 import { isResultOf, type Result } from "./result";
 import { connectScheme } from "./scheme";
+import { connectLinks } from "./share";
 import { Stage } from "./stage";
 import { NO_PART, Store } from "./state";
 import { toWorld } from "./view";
@@ -173,5 +174,6 @@ galleryMenu(
   store,
 );
 autosave(store);
+connectLinks(store, stage);
 
 client.ask(store.document);

@@ -5,11 +5,13 @@ import { DIALECTS, isName, PROFILES, TARGETS } from "../controls";
 import { type Files, save, savedName } from "../files";
 import type { LongText } from "../long-text";
 import { isResultOf } from "../result";
+import { linkTo } from "../share";
 import type { Store } from "../state";
-import { element, icon } from "./elements";
+import { element, icon, iconButton } from "./elements";
 
 const ICONS = {
   open: "M4 18V6h6l2 2h8v2M4 18l2.5-8H22l-2.5 8z",
+  link: "M10 14a4 4 0 0 0 6 0l3-3a4.2 4.2 0 0 0-6-6l-1.5 1.5M14 10a4 4 0 0 0-6 0l-3 3a4.2 4.2 0 0 0 6 6l1.5-1.5",
   save: "M12 4v11M7.5 10.5 12 15l4.5-4.5M5 20h14",
 } as const;
 
@@ -27,6 +29,7 @@ export function filePanel(form: HTMLFormElement, files: Files, store: Store): vo
       { class: "file-row" },
       open,
       element("div", { class: "file-what" }, name, facts),
+      linkButton(store),
     ),
   );
 
@@ -90,6 +93,27 @@ export function filePanel(form: HTMLFormElement, files: Files, store: Store): vo
     if (state.history !== history || state.result !== result || state.notice !== said) show();
   });
   show();
+}
+
+/** A button that copies a link to the program as it is. */
+function linkButton(store: Store): HTMLButtonElement {
+  const button = iconButton("Copy link", ICONS.link, "to this program and its settings");
+  button.addEventListener("click", async () => {
+    const link = await linkTo(store.document);
+    if (!link) {
+      store.set({ notice: "The program is too long for a link: pass on its file instead." });
+      return;
+    }
+    try {
+      await navigator.clipboard.writeText(link);
+      store.set({ notice: "Copied: a link that holds the program and its settings." });
+    } catch {
+      // Where the clipboard may not be written, the address bar holds it.
+      history.replaceState(null, "", link);
+      store.set({ notice: "The address of this page is a link to the program now." });
+    }
+  });
+  return button;
 }
 
 function factsOf({ starts, bytes }: LongText): string {
