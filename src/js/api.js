@@ -10,6 +10,7 @@ import { Program, useProgram } from "./program.js";
 import { ProgramCompensation, ProgramReader } from "./slices.js";
 import { ToolPath, useToolPath } from "./tool_path.js";
 
+export { interpolate } from "./interpolate.js";
 export { RECORD_STRIDE } from "./moves.js";
 export { readToolTable } from "./tool_table.js";
 export { LiveContour, Motion, Program, ProgramCompensation, ProgramReader, ToolPath };

@@ -43,7 +43,7 @@ pub use emit_settings::EmitSettings;
 pub use judge::check_contours;
 pub use live::LiveHandle;
 #[cfg(feature = "js")]
-pub use motion::{MotionHandle, plan_motion, tools_of};
+pub use motion::{MotionHandle, plan_motion, step_spline, tools_of};
 pub use move_records::STRIDE as RECORD_STRIDE;
 pub use names::{
     CornerName, DialectName, Edit, GougeName, LeadName, List, OutputName, ParameterName,

@@ -5,10 +5,15 @@ use std::rc::Rc;
 use wasm_bindgen::prelude::wasm_bindgen;
 
 use super::argument::BadArgument;
+use super::contour_records::read_contours;
 use super::report::violations_json;
 use super::tool_path::ToolPathHandle;
-use crate::contour::ToolPath;
-use crate::motion::{AxisLimits, CornerCurve, CurvatureSteps, Limits, LimitsError, Mode, Motion};
+use crate::contour::{Contour, ToolPath};
+use crate::geometry::Curve;
+use crate::motion::{
+    AxisLimits, CornerCurve, CurvatureSteps, Limits, LimitsError, Mode, Motion, StepRule,
+    interpolate, lengths_at,
+};
 use crate::simulation::{plan_path, tool_changes, widest_deviation};
 
 /// Motion in time; `Motion` of `types.d.ts` holds one.
@@ -29,6 +34,47 @@ pub fn plan_motion(path: &ToolPathHandle, numbers: &[f64]) -> Result<MotionHandl
     let limits = limits_of(numbers);
     let motion = plan_path(path.path(), &limits).map_err(bad)?;
     Ok(MotionHandle { motion, path: path.shared(), limits })
+}
+
+/// A spline in more steps than these is a mistake in their unit.
+const MOST_STEPS: f64 = 1e6;
+
+/// Steps of `step` [mm] along the first spline of contours by a rule, as `interpolate.js` numbers it: x, y
+/// and the arc length from the start [mm] of each point.
+///
+/// # Errors
+/// Where a record is wrong, there is no spline, or a step is too short for it.
+#[wasm_bindgen(js_name = stepSpline)]
+pub fn step_spline(
+    records: &[f64],
+    step: f64,
+    rule: u8,
+    corrections: u8,
+) -> Result<Vec<f64>, BadArgument> {
+    let rule = match rule {
+        0 => StepRule::TaylorFirst,
+        1 => StepRule::TaylorSecond,
+        2 => StepRule::RungeKutta,
+        3 => StepRule::PredictorCorrector(corrections),
+        _ => StepRule::ArcLength(corrections),
+    };
+    for contour in read_contours(records)?.0 {
+        for segment in contour.build().contour.iter().flat_map(Contour::segments) {
+            if let Curve::Spline(spline) = &segment.curve {
+                if spline.length() > MOST_STEPS * step {
+                    return Err(BadArgument::new("step", "be a millionth of the spline at least"));
+                }
+                let found = interpolate(spline, step, rule);
+                let mut points = Vec::with_capacity(3 * found.len());
+                for (&t, length) in found.iter().zip(lengths_at(spline, &found)) {
+                    let point = spline.point(t);
+                    points.extend([point.x, point.y, length]);
+                }
+                return Ok(points);
+            }
+        }
+    }
+    Err(BadArgument::new("contour.segments", "hold a spline"))
 }
 
 /// The tools of a path by number, each after the index of its first move.

@@ -17,8 +17,11 @@ export { type ProgramCheckOptions } from "./types/judge.js";
 export { default } from "./types/loading.js";
 export {
   type AxisLimits,
+  interpolate,
   type Limits,
   Motion,
+  type StepRule,
+  type Steps,
   type ToolTime,
   type Violation,
 } from "./types/motion.js";

@@ -92,6 +92,19 @@ pub fn interpolate(spline: &Spline, step: f64, rule: StepRule) -> Vec<f64> {
     found
 }
 
+/// Arc length from the start of the spline to each of parameters that [`interpolate`] found [mm].
+#[must_use]
+pub fn lengths_at(spline: &Spline, parameters: &[f64]) -> Vec<f64> {
+    let mut lengths = Vec::with_capacity(parameters.len());
+    let (mut from, mut length) = (0.0, 0.0);
+    for &t in parameters {
+        length += length_between(spline, from, t);
+        lengths.push(length);
+        from = t;
+    }
+    lengths
+}
+
 /// Two terms of Taylor's series of the parameter by the arc length.
 fn second_order(spline: &Spline, t: f64, step: f64) -> f64 {
     let (first, second) = (derivative(spline, t), spline.second_derivative(t.clamp(0.0, 1.0)));

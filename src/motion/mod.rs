@@ -27,7 +27,7 @@ pub use corner::{Corner, CornerCurve, CornerShape};
 pub use eased::Eased;
 pub use fit::{Fitted, Fitter};
 pub use helix::Helix;
-pub use interpolation::{StepRule, interpolate};
+pub use interpolation::{StepRule, interpolate, lengths_at};
 pub use joint::Joint;
 pub use limits::{AxisLimits, CurvatureSteps, Limits, LimitsError, Mode};
 pub use piece::{Frame, Piece};

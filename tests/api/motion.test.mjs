@@ -2,7 +2,15 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
-import { compensate, left, Motion, parseProgram, part, throwsCode } from "./sample.mjs";
+import {
+  compensate,
+  interpolate,
+  left,
+  Motion,
+  parseProgram,
+  part,
+  throwsCode,
+} from "./sample.mjs";
 
 const mill = { velocity: 200, acceleration: 2000, jerk: 5e4 };
 
@@ -186,4 +194,56 @@ test("a motion outlives its path, its channels outlive it, and nothing is left b
   throwsCode(() => motion.duration, "disposed");
   throwsCode(() => path.plan(mill), "disposed");
   assert.throws(() => new Motion(), TypeError);
+});
+
+test("rules of interpolation step along a spline, the better the more evenly", () => {
+  // Through points on a circle of radius 20, closed: the arc of a step is known to the spline's error.
+  const points = Array.from({ length: 60 }, (_, i) => {
+    const angle = ((i + 1) * Math.PI) / 30;
+    return i === 59 ? [20, 0] : [20 * Math.cos(angle), 20 * Math.sin(angle)];
+  });
+  const circle = { start: [20, 0], closed: true, segments: [{ kind: "spline", points }] };
+  const error = (rule, corrections) => {
+    const { points, lengths } = interpolate(circle, 0.5, rule, corrections);
+    assert.equal(points.length, 2 * lengths.length, rule);
+    assert.deepEqual([points[0], points[1], lengths[0]], [20, 0, 0], rule);
+    near(lengths.length, (40 * Math.PI) / 0.5, 2, rule);
+    let most = 0;
+    for (let i = 1; i < lengths.length; i++) {
+      const angle = (other) => Math.atan2(points[2 * other + 1], points[2 * other]);
+      const turn = ((angle(i) - angle(i - 1) + 3 * Math.PI) % (2 * Math.PI)) - Math.PI;
+      near(lengths[i] - lengths[i - 1], 20 * turn, 1e-5, `${rule}: the arc of step ${i}`);
+      most = Math.max(most, Math.abs((lengths[i] - lengths[i - 1]) / 0.5 - 1));
+    }
+    return most;
+  };
+  const errors = [error("taylor-1"), error("taylor-2"), error("runge-kutta"), error("arc-length")];
+  for (const [i, each] of errors.entries()) {
+    assert.ok(i === 0 || each < errors[i - 1] || each < 1e-12, `${errors}`);
+  }
+  assert.ok(errors[3] < 1e-12, `measured: ${errors[3]}`);
+  // The chord of a step is shorter than its arc by s²/24R².
+  near(error("predictor-corrector", 3), 0.25 / 24 / 400, 1e-7, "by the chord");
+  assert.equal(error("arc-length", 0), errors[1], "without a correction it is Taylor's");
+});
+
+test("interpolation names the argument that is wrong", () => {
+  const spline = {
+    start: [0, 0],
+    segments: [
+      {
+        kind: "spline",
+        points: [
+          [5, 1],
+          [9, 0],
+        ],
+      },
+    ],
+  };
+  const line = { start: [0, 0], segments: [{ kind: "line", to: [9, 0] }] };
+  throwsCode(() => interpolate(spline, 0, "taylor-1"), "bad-argument", "step");
+  throwsCode(() => interpolate(spline, 1e-9, "taylor-1"), "bad-argument", "step");
+  throwsCode(() => interpolate(spline, 1, "euler"), "bad-argument", "rule");
+  throwsCode(() => interpolate(spline, 1, "arc-length", 0.5), "bad-argument", "corrections");
+  throwsCode(() => interpolate(line, 1, "taylor-1"), "bad-argument", "contour.segments");
 });

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use g41::contour::Plane;
 use g41::geometry::{Parameter, Spline, SplineEnds};
-use g41::motion::{ByLength, Piece, StepRule, interpolate};
+use g41::motion::{ByLength, Piece, StepRule, interpolate, lengths_at};
 use glam::DVec2;
 
 use crate::common::p;
@@ -107,6 +107,18 @@ fn the_measured_length_beats_every_rule_but_those_that_measure_each_step() {
             }
             assert!(worst <= slack, "steps of {step} mm err by {worst:e}");
         }
+    }
+}
+
+#[test]
+fn lengths_are_those_of_the_arcs_between() {
+    let spline = near_cusp();
+    let found = interpolate(&spline, 0.1, StepRule::ArcLength(3));
+    let lengths = lengths_at(&spline, &found);
+    assert_eq!(lengths.len(), found.len(), "a length for each point");
+    for (i, (&t, &length)) in found.iter().zip(&lengths).enumerate().step_by(20) {
+        let expected = arc(&spline, 0.0, t);
+        assert!((length - expected).abs() < 1e-8, "{length} mm to point {i}, not {expected}");
     }
 }
 

@@ -145,6 +145,32 @@ test("the picture keeps the part in sight beside the panel, also where there is 
   expect(bottom - top).toBeGreaterThan(100);
 });
 
+test("the rules of interpolation are compared along the splines of the program", async ({
+  page,
+}) => {
+  const g41 = await opened(page, "cam");
+  const rules = page.locator(".motion-rules");
+  await expect(rules.getByRole("table")).toHaveCount(0);
+  await rules.getByText("Interpolation rules compared").click();
+  await expect(rules.getByRole("row")).toHaveCount(8, { timeout: 30_000 });
+  const errors = async (name: string) => {
+    const cells = rules.getByRole("row", { name }).getByRole("cell");
+    return (await cells.allTextContents()).map((text) =>
+      Number(text.replace("−", "-").replace("< ", "")),
+    );
+  };
+  const first = await errors("Taylor, first order");
+  const second = await errors("Taylor, second order");
+  // At the feed of the program and at that of the machine; half the order, half the digits.
+  expect(first).toHaveLength(2);
+  expect(first[0]).toBeLessThan(first[1] as number);
+  expect(second[1]).toBeLessThan((first[1] as number) / 3);
+  expect(first[1]).toBeGreaterThan(1e-4);
+  await g41.drop({ name: "line.nc", text: "G1 X10 F300\n" });
+  await expect(rules).toContainText("compensates no spline");
+  expect(g41.errors).toEqual([]);
+});
+
 test("one panel is open below the picture", async ({ page }) => {
   await opened(page);
   await page.getByRole("button", { name: "Deviation plot" }).click();

@@ -1,5 +1,7 @@
 /// <reference lib="esnext.disposable" />
 
+import type { Contour, ContourRecords } from "./contours.js";
+
 // Motion: what a machine can do, and how it then runs a path.
 
 /** Limits of the axes x, y and z one by one, beside those of the vector. */
@@ -132,3 +134,38 @@ export class Motion {
   /** Gives the memory back now; the handle cannot be used after it. */
   [Symbol.dispose](): void;
 }
+
+/**
+ * A rule by which a control finds its next point on a spline, one period's way further: one or two terms of
+ * Taylor's series, the method of Runge and Kutta of order 4, extrapolation with corrections of the chord, or
+ * of the arc length. The planner uses none of them: it measures the length of curves.
+ */
+export type StepRule =
+  | "taylor-1"
+  | "taylor-2"
+  | "runge-kutta"
+  | "predictor-corrector"
+  | "arc-length";
+
+/** Points along a spline. */
+export interface Steps {
+  /** x0, y0, x1, y1, … [mm] */
+  points: Float64Array;
+  /** Arc length from the start of the spline to each point [mm]. */
+  lengths: Float64Array;
+}
+
+/**
+ * Steps of `step` mm along the first spline of a contour, as a rule finds them: for teaching, and to compare
+ * how evenly rules keep a feed. It ends where the next point is beyond the spline, or where a rule has lost
+ * its way at a sharp bend. A spline may be a million steps long.
+ *
+ * @param corrections of `"predictor-corrector"` and `"arc-length"`, steps of Newton's method; from 0 to 20,
+ *   by default 2
+ */
+export function interpolate(
+  contour: Contour | ContourRecords,
+  step: number,
+  rule: StepRule,
+  corrections?: number,
+): Steps;

@@ -11,6 +11,7 @@ import { limitsOf, restoreMachine, saveMachine } from "./machine";
 import { Player } from "./player";
 import { type Across, Plots } from "./plots";
 import type { MotionData } from "./protocol";
+import { RulesTable } from "./rules-table";
 import { nearestSample, placeAt } from "./samples";
 
 /** Changes that follow each other faster are planned once [ms]. */
@@ -33,6 +34,7 @@ export class MotionPanel {
   #isPointed = false;
   #comparison = new Comparison();
   #failure = element("p", { class: "motion-failure", role: "status" });
+  #rules = new RulesTable();
   #player = new Player((time, playing) => this.#played(time, playing));
   #plots = new Plots({
     look: (index) => this.#look(index),
@@ -59,7 +61,7 @@ export class MotionPanel {
     const title = element("h2", { class: "hidden" }, "Motion");
     const bar = element("div", { class: "motion-bar" }, this.#player.root, this.#tools());
     const body = element("div", { class: "motion-body" }, shown, side);
-    section.append(title, this.#comparison.root, bar, this.#failure, body);
+    section.append(title, this.#comparison.root, bar, this.#failure, body, this.#rules.root);
     // What is said of the times may take another line, and with it height of the picture.
     new ResizeObserver(() => stage.keepFit()).observe(section);
     store.subscribe((state, before) => {
@@ -136,6 +138,7 @@ export class MotionPanel {
     this.#failure.textContent = "";
     delete this.#section.dataset.failed;
     this.#comparison.show(data);
+    this.#rules.show(this.#store.document, data);
     this.#player.setDuration(data.duration);
     this.#plots.show(data, this.#across);
     this.#mark();
