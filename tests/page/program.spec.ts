@@ -99,6 +99,20 @@ test("nonsense, nothing and a program without a contour are no failure", async (
   expect(g41.errors).toEqual([]);
 });
 
+test("a loop without end that is typed does not hold up the text that ends it", async ({
+  page,
+}) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  // As many moves as a program may make, which takes seconds at least.
+  await g41.program.fill("o1 while [1]\nG1 X1 F100\nX2\no1 endwhile\nM30\n");
+  await page.waitForTimeout(2500);
+  await g41.program.fill("G1 X1 F100\nX42\nM30\n");
+  await expect(g41.output).toHaveValue(/X42/, { timeout: 10_000 });
+  await g41.settled();
+  expect(g41.errors).toEqual([]);
+});
+
 test("the caret in the text and the point in the picture are linked", async ({ page }) => {
   const g41 = new G41Page(page);
   await g41.open();

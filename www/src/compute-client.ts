@@ -20,10 +20,15 @@ export interface Listeners {
   progress(step: string, part: number): void;
 }
 
+/** Work that has taken longer is given up when something else is asked: a new worker is there sooner [ms]. */
+const PATIENCE = 1500;
+
 /** Starts the worker; `ask` may be called at any rate. */
 export class ComputeClient {
   #worker: Worker;
   #underWay: Question | undefined;
+  /** When that was asked. */
+  #since = 0;
   #waiting: Question | undefined;
   /** The last answered, unless another was asked since. */
   #answered: Question | undefined;
@@ -41,6 +46,10 @@ export class ComputeClient {
     const isSame = latest?.text === question.text && latest.file === question.file;
     if (isSame && latest.settings === question.settings) return;
     this.#waiting = question;
+    // A loop without end that is being typed must not hold up the text that ends it. Of a file the work
+    // shows how far it is, and a button to stop it.
+    const isStuck = performance.now() - this.#since > PATIENCE && !this.#underWay?.file;
+    if (this.#underWay && isStuck) this.#restart();
     if (this.#underWay) return;
     this.#tell.busy(true);
     this.#sendWaiting();
@@ -48,10 +57,15 @@ export class ComputeClient {
 
   /** Stops what is under way, at once, and forgets what waits. */
   cancel(): void {
-    this.#worker.terminate();
-    this.#worker = this.#start();
+    this.#restart();
     this.#forget();
     this.#tell.busy(false);
+  }
+
+  #restart(): void {
+    this.#worker.terminate();
+    this.#worker = this.#start();
+    this.#underWay = undefined;
   }
 
   #start(): Worker {
@@ -90,6 +104,7 @@ export class ComputeClient {
     const { text, file, settings } = this.#waiting;
     this.#id += 1;
     this.#underWay = this.#waiting;
+    this.#since = performance.now();
     this.#waiting = undefined;
     const request: Request = { id: this.#id, text, file, settings };
     this.#worker.postMessage(request);

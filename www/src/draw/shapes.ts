@@ -162,9 +162,13 @@ function pathShapes(
   const leads = new Path2D();
   const free = new Path2D();
   const track = trackOf(result.path.points);
+  const windows = new Map<Path2D, Window>();
   for (const { contour, first, last } of cutRuns(result)) {
     const path = contour === FREE ? free : contour === LEAD ? leads : cuts[contour];
-    if (path && contour !== without) track.trace(path, first, last, window);
+    if (!path || contour === without) continue;
+    const own = windows.get(path) ?? (window.whole ? window : { ...window, drawn: new Set() });
+    windows.set(path, own);
+    track.trace(path, first, last, own);
   }
   return { cuts, leads, free };
 }

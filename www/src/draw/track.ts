@@ -12,7 +12,12 @@ export interface Window extends Box {
   readonly step: number;
   /** Whether what lies outside is drawn too, roughly, since an area is filled. */
   readonly whole: boolean;
+  /** The chords that are drawn already, and not once more; a loop may pass one a million times. */
+  readonly drawn?: Set<number>;
 }
+
+/** Places across a window that are told apart: four of them make a number without loss. */
+const PLACES = 8192;
 
 /** The vertices `x0, y0, x1, y1, …`, some of which may change. */
 export class Track {
@@ -66,13 +71,19 @@ export class Track {
     const { points } = this;
     const { min, max, step, whole } = window;
     let down = false;
+    let isLifted = false;
     let [lastX, lastY] = [Number.NaN, Number.NaN];
     const add = (i: number): void => {
       const x = points[2 * i] as number;
       const y = points[2 * i + 1] as number;
       if (down && Math.abs(x - lastX) < step && Math.abs(y - lastY) < step) return;
-      if (down) path.lineTo(x, y);
-      else path.moveTo(x, y);
+      if (down && window.drawn && isDrawn(window.drawn, window, [lastX, lastY], [x, y])) {
+        isLifted = true;
+      } else if (down) {
+        if (isLifted) path.moveTo(lastX, lastY);
+        isLifted = false;
+        path.lineTo(x, y);
+      } else path.moveTo(x, y);
       down = true;
       lastX = x;
       lastY = y;
@@ -97,8 +108,22 @@ export class Track {
       }
       i = end + 1;
     }
-    if (down) path.lineTo(points[2 * last] as number, points[2 * last + 1] as number);
+    if (down && !isLifted) {
+      path.lineTo(points[2 * last] as number, points[2 * last + 1] as number);
+    }
   }
+}
+
+/** Whether a chord was drawn before, either way; if not, it is from now on. */
+function isDrawn(drawn: Set<number>, { min, step }: Window, a: Point, b: Point): boolean {
+  const place = (p: Point, axis: 0 | 1) => Math.round((p[axis] - min[axis]) / step);
+  const [x0, y0, x1, y1] = [place(a, 0), place(a, 1), place(b, 0), place(b, 1)];
+  if (Math.min(x0, y0, x1, y1) < 0 || Math.max(x0, y0, x1, y1) >= PLACES) return false;
+  const [from, to] = [x0 * PLACES + y0, x1 * PLACES + y1];
+  const key = Math.min(from, to) * PLACES * PLACES + Math.max(from, to);
+  if (drawn.has(key)) return true;
+  drawn.add(key);
+  return false;
 }
 
 const known = new WeakMap<Float64Array, Track>();
