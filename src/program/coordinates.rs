@@ -86,7 +86,8 @@ impl Interpreter {
         match act {
             Act::System(index) => self.system(block, word, index, passed_on, words),
             Act::SetData => self.set_data(block, word, words),
-            Act::Origin => self.origin(block, word, words),
+            Act::Origin => self.origin(block, word, false, words),
+            Act::Local if self.rules.is_strict => self.origin(block, word, true, words),
             // LinuxCNC waits for no G40 here, and does nothing.
             Act::OriginOff | Act::OriginOn
                 if self.rules.is_strict && self.course.switched().is_some() =>
@@ -207,21 +208,29 @@ impl Interpreter {
         self.pass_reset(block, text);
     }
 
-    /// G92: the place of the tool gets the numbers in the block.
-    fn origin(&mut self, block: &Block, word: &Word, words: &mut Words) {
-        let mut text = text_of('G', word.value);
+    /// G92: the place of the tool gets the numbers in the block; or, `by_shift`, those that it has
+    /// where they are what is taken off (G52 of `LinuxCNC`, which is passed on as G92).
+    fn origin(&mut self, block: &Block, word: &Word, by_shift: bool, words: &mut Words) {
+        let mut text = String::from("G92");
         let mut programmed = self.modal.frame.unmap(self.modal.position);
         let mut given = [false; 3];
         for (i, letter) in AXES.into_iter().enumerate() {
             if let Some(axis) = words.take(letter) {
-                programmed[i] = self.modal.length_of(i, axis.value);
+                let length = self.modal.length_of(i, axis.value);
+                let kept = self.modal.position[i] + self.modal.systems.assumed.shift[i];
+                programmed[i] = if by_shift { kept - length } else { length };
                 given[i] = true;
             }
         }
         let others = self.other_origins(words, &mut text);
         if given == [false; 3] && !others {
             if self.rules.is_strict {
-                self.error("missing-axes", "G92 has no axes", block.origin_at(word.column), "");
+                self.error(
+                    "missing-axes",
+                    "the word has no axes",
+                    block.origin_at(word.column),
+                    "",
+                );
             }
             return;
         }
@@ -290,6 +299,7 @@ impl Interpreter {
                 append_word(&mut text, letter, self.modal.length_of(i, axis.value));
             }
         }
+        let tip = words.find('Q').and_then(|word| whole(word.value)).filter(|tip| *tip <= 9);
         take_as_text(words, "ABCUVWQIJ", &mut text);
         if is_origin {
             // P0 is the active one; on FANUC it shifts all of them.
@@ -304,14 +314,19 @@ impl Interpreter {
             let concerns_all = radius.is_some() || fanuc && (number == Some(0) || kind == 20);
             self.assume(kind == 20, system.unwrap_or(0), given, radius.map(|word| word.value));
             self.origins(kind == 20, system, given, concerns_all);
-        } else if let (Some(number), Some(radius)) = (number, radius)
+        } else if let Some(number) = number
             && match kind {
                 1 | 10 | 11 => !fanuc,
                 12 => true,
                 _ => false,
             }
         {
-            self.modal.set_radius(number, radius.value * unit);
+            if let Some(radius) = radius {
+                self.modal.radii.set(number, radius.value * unit);
+            }
+            if let Some(tip) = tip {
+                self.modal.tips.set(number, f64::from(tip));
+            }
         }
         self.pass_reset(block, text);
     }

@@ -7,7 +7,9 @@
 use glam::DVec2;
 
 use super::corner_cuts::{CornerWord, PendingCorner};
-use super::items::{ContourEnd, ContourStart, Item, ProgrammedContour, RadiusSource};
+use super::items::{
+    ContourEnd, ContourStart, Item, OrientationSource, ProgrammedContour, RadiusSource,
+};
 use super::open::{Open, fault_of, line_of, refuse_arc};
 use super::report::Report;
 use super::rules::{ControlWords, Rules};
@@ -22,7 +24,7 @@ pub(super) struct SwitchOn {
     pub(super) radius: RadiusSource,
     /// Added to it [mm].
     pub(super) allowance: f64,
-    pub(super) orientation: u8,
+    pub(super) orientation: OrientationSource,
     pub(super) unit: f64,
     pub(super) origin: Origin,
 }
@@ -133,10 +135,8 @@ impl Course {
     /// Words that move nothing.
     pub(super) fn words(&mut self, words: String, origin: Origin) {
         match &mut self.state {
-            State::Off | State::Waiting(_) => {
-                self.items.push(Item::Words { words, reset: None, origin });
-            }
             State::On(open) | State::Ending(open) => open.event(EventKind::Words(words), origin),
+            _ => self.items.push(Item::Words { words, reset: None, origin }),
         }
     }
 
@@ -266,7 +266,7 @@ impl Course {
         }
         if self.needs_a_line {
             self.needs_a_line = false;
-            refuse_arc(&mut self.items, from, origin);
+            refuse_arc(&mut self.items, from, &shape, origin);
         }
         match std::mem::replace(&mut self.state, State::Off) {
             State::Off => self.free_curve(from, shape, attributes, report),
@@ -301,7 +301,7 @@ impl Course {
             }
             State::Ending(open) if self.rules.any_lead => {
                 self.close(open, None, ContourEnd::Off, report);
-                refuse_arc(&mut self.items, from, origin);
+                refuse_arc(&mut self.items, from, &shape, origin);
                 self.free_curve(from, shape, attributes, report);
             }
             State::Ending(open) => {

@@ -5,6 +5,7 @@
 
 use glam::DVec3;
 
+use super::arcs::CENTER;
 use super::auxiliary::word as text_of;
 use super::axes::Axes;
 use super::block::{Block, Word};
@@ -65,11 +66,12 @@ impl Interpreter {
     pub(super) fn cycle(&mut self, block: &Block, number: u32, words: &mut Words) {
         // LinuxCNC's G76 cuts a thread; FANUC's bores.
         let fanuc = self.dialect == Dialect::Fanuc;
-        if number == 76 && (self.dialect == Dialect::LinuxCnc || !fanuc && words.has_any("IJKE")) {
+        let strict = self.rules.is_strict;
+        let cuts = strict || words.has_any("IJKE");
+        if number == 76 && (self.dialect == Dialect::LinuxCnc || !fanuc && cuts) {
             return self.thread_cycle(block, words);
         }
         let normal = self.modal.plane.axes()[2];
-        let strict = self.rules.is_strict;
         let hits = words.has_any("XYZ@^") || !strict && words.has_any("R");
         if strict && !hits {
             return;
@@ -167,8 +169,8 @@ impl Interpreter {
         // K repeats on newer FANUC controls; in other cycles than G76 and G87 it is nothing else.
         let mut repeats = if strict && number == 74 { None } else { words.take('L') };
         if matches!(number, 76 | 87) {
-            for (i, letter) in ['I', 'J', 'K'].into_iter().enumerate() {
-                if let Some(word) = words.take(letter) {
+            for (i, axis) in self.modal.plane.axes().into_iter().enumerate() {
+                if let Some(word) = words.take(CENTER[axis]) {
                     self.modal.cycle.shift[i] = Some(word.value * unit);
                 }
             }
@@ -250,8 +252,8 @@ impl Interpreter {
             height = retract;
             self.cycle_to(block, &down, start, height, true);
         }
-        if again {
-            height = height.max(clear);
+        if again && height <= retract {
+            height = clear;
         }
         if self.rules.is_strict && self.lacks_words(block, number) {
             return;
@@ -353,7 +355,10 @@ impl Interpreter {
         let count = (hole.retract - hole.bottom) / step;
         if step > 0.0 && count <= f64::from(MOST) {
             let mut depth = hole.retract - step;
-            while depth > hole.bottom + MIN_LENGTH {
+            // What rounding leaves above the depth LinuxCNC takes for one step more.
+            let exact = self.rules.is_strict && !self.modal.inches;
+            let least = if exact { 0.0 } else { MIN_LENGTH };
+            while depth > hole.bottom + least {
                 self.go(hole, depth, false);
                 if out {
                     self.go(hole, hole.retract, true);

@@ -51,6 +51,8 @@ pub(super) struct Interpreter {
     pub(super) is_refused: bool,
     /// The items there were when it did; those that the rest of its block makes do not count.
     pub(super) made: usize,
+    /// Why, where a control would have looked at the words of the block before it did anything.
+    pub(super) fault: Option<Diagnostic>,
     /// Axes that the next move has to state, whatever its block says.
     pub(super) owed: [bool; 3],
     /// Moves that cycles and arcs of several turns have become.
@@ -70,6 +72,7 @@ impl Interpreter {
             rules,
             is_refused: false,
             made: usize::MAX,
+            fault: None,
             owed: [false; 3],
             expanded: 0,
         }
@@ -85,7 +88,6 @@ impl Interpreter {
         if self.is_refused {
             return Flow::End;
         }
-        let before_block = self.course.items.len();
         self.modal.feed_unit = self.modal.unit();
         let mut words = Words::new(block);
         if block.skippable {
@@ -163,8 +165,6 @@ impl Interpreter {
         }
         self.not_understood(block, &words);
         if self.is_refused {
-            // Words are looked at before any of them acts.
-            self.made = self.made.min(before_block);
             return Flow::End;
         }
         if stops {
@@ -221,13 +221,17 @@ impl Interpreter {
         if !self.rules.is_strict {
             self.report.error(code, message, origin, hint);
         } else if !self.is_refused {
-            let hint = "the control stops here, and so does the path";
-            self.report.error(code, message, origin, hint);
-            self.is_refused = true;
-            self.finish_spline();
-            self.course.cut_off(&mut self.report);
-            self.made = self.course.items.len();
+            self.stop_at(fault(code, message, origin));
         }
+    }
+
+    /// The control goes no further.
+    pub(super) fn stop_at(&mut self, fault: Diagnostic) {
+        self.report.push(fault);
+        self.is_refused = true;
+        self.finish_spline();
+        self.course.cut_off(&mut self.report);
+        self.made = self.course.items.len();
     }
 
     pub(super) fn changed_while_on(&mut self, block: &Block, word: &Word, what: &str) {
@@ -256,18 +260,24 @@ impl Interpreter {
 
     fn not_understood(&mut self, block: &Block, words: &Words) {
         for (_, word) in words.unused() {
-            self.error(
-                "word-not-understood",
-                format!(
-                    "the word {}{} is not understood here",
-                    word.letter,
-                    Decimal::of(word.value)
-                ),
-                block.origin_at(word.column),
-                "it has no effect",
-            );
+            let code = "word-not-understood";
+            let number = Decimal::of(word.value);
+            let message = format!("the word {}{number} is not understood here", word.letter);
+            let at = block.origin_at(word.column);
+            if self.rules.is_strict {
+                self.fault = Some(fault(code, message, at));
+                self.is_refused = true;
+                return;
+            }
+            self.report.error(code, message, at, "it has no effect");
         }
     }
+}
+
+fn fault(code: &'static str, message: impl Into<String>, origin: Origin) -> Diagnostic {
+    Diagnostic::error(code, message)
+        .with_origin(origin)
+        .with_hint("the control stops here, and so does the path")
 }
 
 fn is_axis(word: &Word) -> bool {

@@ -38,9 +38,8 @@ pub struct ProgrammedContour {
     /// The unit of coordinates in effect at the word that switches on [mm]: diameters of a table of
     /// tools that names no unit count in it.
     pub unit: f64,
-    /// Which way the tip of the tool points where the program itself gives the radius, as lathe tools
-    /// are numbered: 1 to 9, or 0.
-    pub orientation: u8,
+    /// Which way the tip of the tool points.
+    pub orientation: OrientationSource,
     /// Of each spline of several blocks, those of its pieces: the segment itself has the first.
     pub curves: Vec<Vec<Origin>>,
     /// Whether its first segment is itself the lead-in: an arc, or all that there is.
@@ -75,6 +74,15 @@ pub enum ContourEnd {
     CutOff,
     /// It is switched off, but unless its tool has no radius the control stops at what follows.
     Refused(Box<Diagnostic>),
+}
+
+/// Where it comes from which way the tip of a tool points.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum OrientationSource {
+    /// The table of tools, as for [`RadiusSource`].
+    Tool(u32),
+    /// The program itself, as lathe tools are numbered: 1 to 9, or 0.
+    Given(u8),
 }
 
 /// Where a tool radius comes from.

@@ -68,7 +68,9 @@ mod words;
 pub use block::{Block, Word};
 pub use dialect::Dialect;
 pub use emit::{EmitOptions, Emitted, SplineOutput, emit};
-pub use items::{ContourEnd, ContourStart, Item, ProgrammedContour, RadiusSource};
+pub use items::{
+    ContourEnd, ContourStart, Item, OrientationSource, ProgrammedContour, RadiusSource,
+};
 pub use programmed::programmed_path;
 pub use reader::Program;
 pub use rules::{ControlWords, Rules};

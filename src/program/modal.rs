@@ -58,7 +58,9 @@ pub(super) struct Modal {
     /// OFFN: what is left on the contour [mm].
     pub(super) allowance: f64,
     /// Radii that G10 gave tools [mm].
-    radii: Vec<(u32, f64)>,
+    pub(super) radii: ByTool,
+    /// Which way it has the tips of lathe tools point, 0 to 9.
+    pub(super) tips: ByTool,
     /// Where the program is, in program coordinates [mm]: not where the tool is, once compensation
     /// is on.
     pub(super) position: DVec3,
@@ -97,7 +99,8 @@ impl Modal {
             loaded: None,
             radius_number: None,
             allowance: 0.0,
-            radii: Vec::new(),
+            radii: ByTool::default(),
+            tips: ByTool::default(),
             position: DVec3::ZERO,
             stated: [false; 3],
             restate: [false; 3],
@@ -143,23 +146,27 @@ impl Modal {
         self.loaded.unwrap_or(0)
     }
 
-    /// G10: the radius of a tool [mm].
-    pub(super) fn set_radius(&mut self, number: u32, radius: f64) {
-        let known = self.radii.iter_mut().find(|(other, _)| *other == number);
-        if let Some((_, known)) = known {
-            *known = radius;
-        } else if self.radii.len() < MOST_RADII {
-            self.radii.push((number, radius));
-        }
-    }
-
-    /// The radius that G10 gave a tool [mm].
-    pub(super) fn radius_of(&self, number: u32) -> Option<f64> {
-        self.radii.iter().find(|(other, _)| *other == number).map(|(_, radius)| *radius)
-    }
-
     /// The tool in the spindle. A program without M6 changes tools by T alone.
     pub(super) fn active_tool(&self) -> u32 {
         self.loaded.or(self.selected).unwrap_or(0)
+    }
+}
+
+/// A number that tools were given.
+#[derive(Debug, Clone, Default)]
+pub(super) struct ByTool(Vec<(u32, f64)>);
+
+impl ByTool {
+    pub(super) fn set(&mut self, tool: u32, value: f64) {
+        let known = self.0.iter_mut().find(|(other, _)| *other == tool);
+        if let Some((_, known)) = known {
+            *known = value;
+        } else if self.0.len() < MOST_RADII {
+            self.0.push((tool, value));
+        }
+    }
+
+    pub(super) fn of(&self, tool: u32) -> Option<f64> {
+        self.0.iter().find(|(other, _)| *other == tool).map(|(_, value)| *value)
     }
 }

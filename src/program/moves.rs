@@ -109,10 +109,22 @@ impl Interpreter {
         if others && matches!(motion, Motion::Cycle(_)) {
             self.refuse("in a cycle no other axis moves", block.start());
         }
+        if stated && motion == Motion::Linear {
+            // It asks for a feed even where it leads nowhere.
+            self.feed_of_moves(block);
+        }
         if matches!(motion, Motion::Rapid | Motion::Linear | Motion::Controls) {
-            return true;
+            return !self.is_refused;
         }
         let arc = matches!(motion, Motion::Arc { .. });
+        if arc && others && !words.has_any("IJKR") {
+            self.error(
+                "arc-without-centre",
+                "the arc has neither centre nor radius",
+                block.start(),
+                "",
+            );
+        }
         if others || words.has_any("XYZ@^") || arc && words.has_any("IJK") {
             return !self.is_refused;
         }

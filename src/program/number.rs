@@ -26,10 +26,15 @@ pub(super) fn parse_number(text: &str) -> Result<f64, NumberError> {
     if value.abs() > MAX_NUMBER { Err(NumberError::TooLarge) } else { Ok(value) }
 }
 
+/// How far from a whole number one may be that an expression gave: `LinuxCNC`'s own.
+const NEARLY_WHOLE: f64 = 1e-4;
+
 /// The value as a whole number that a word can carry, if it is one.
 pub(super) fn whole(value: f64) -> Option<u32> {
+    let number = value.round();
+    let is_near = (value - number).abs() < NEARLY_WHOLE;
     #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "checked")]
-    (value >= 0.0 && value <= f64::from(u32::MAX) && value.fract() == 0.0).then_some(value as u32)
+    (is_near && number >= 0.0 && number <= f64::from(u32::MAX)).then_some(number as u32)
 }
 
 /// Writes `scaled / 10^decimals` without trailing zeros and without a negative zero.

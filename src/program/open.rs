@@ -131,13 +131,16 @@ pub(super) fn line_of(origin: Origin) -> u32 {
 }
 
 /// An arc may not follow G40, unless there was no radius to compensate.
-pub(super) fn refuse_arc(items: &mut [Item], from: DVec2, origin: Origin) {
+pub(super) fn refuse_arc(items: &mut [Item], from: DVec2, shape: &Shape, origin: Origin) {
+    if !matches!(shape, Shape::Arc { .. } | Shape::ArcByRadius { .. }) {
+        return;
+    }
     let last = items.iter_mut().rev().find_map(|item| match item {
         Item::Contour(contour) => Some(contour),
         Item::Free(_) | Item::Words { .. } => None,
     });
     if let Some(contour) = last {
-        let message = "the first move without compensation is an arc or a spline";
+        let message = "the first move without compensation is an arc";
         contour.end = ContourEnd::Refused(Box::new(
             Diagnostic::error("curved-lead-out", message)
                 .with_origin(origin)

@@ -231,6 +231,11 @@ impl Interpreter {
         if !words.has_any("Z") {
             return;
         }
+        if self.rules.is_strict
+            && !['P', 'I', 'J', 'K'].iter().all(|&word| words.find(word).is_some())
+        {
+            return self.refuse("the thread (G76) has not all of P, I, J and K", block.start());
+        }
         let from = self.modal.position;
         let Some((_, to)) = self.target(block, words, "") else { return };
         if self.course.switched().is_some() {

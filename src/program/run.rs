@@ -141,13 +141,18 @@ pub struct Runner {
     farthest: usize,
     last: Option<Origin>,
     pub(super) ended: bool,
+    /// The block that is not run, by the count of blocks, and why not.
+    fault: Option<(u64, Diagnostic)>,
 }
 
 impl Runner {
     /// A program before its first block.
     #[must_use]
     pub fn new(program: &Program, options: RunOptions) -> Self {
-        let outline = Arc::clone(&program.outline);
+        Self::along(Arc::clone(&program.outline), options)
+    }
+
+    fn along(outline: Arc<Outline>, options: RunOptions) -> Self {
         let place = Place { at: outline.first, line: 1, mark: 0 };
         let mut interpreter = Interpreter::new(options.rules);
         interpreter.dialect = outline.dialect;
@@ -169,6 +174,7 @@ impl Runner {
             farthest: 0,
             last: None,
             ended: false,
+            fault: None,
         }
     }
 
@@ -177,11 +183,14 @@ impl Runner {
         let outline = Arc::clone(&self.outline);
         for _ in 0..lines {
             if self.ended {
-                break;
+                // The words of that block should have been looked at before it was run.
+                let Some(fault) = self.interpreter.fault.take() else { break };
+                let fault = Some((self.blocks, fault));
+                *self = Self { fault, ..Self::along(Arc::clone(&outline), self.options) };
             }
             self.line(&outline);
         }
-        !self.ended
+        !self.ended || self.interpreter.fault.is_some()
     }
 
     /// How much of the text was reached, from 0 to 1.
@@ -196,6 +205,9 @@ impl Runner {
     /// What the program means, as far as it was run.
     #[must_use]
     pub fn finish(mut self) -> Interpretation {
+        if self.interpreter.fault.is_some() {
+            while self.step(u64::MAX) {}
+        }
         let interpreter = &mut self.interpreter;
         interpreter.finish_spline();
         interpreter.course.end(self.last, &mut interpreter.report);
@@ -307,6 +319,13 @@ impl Runner {
     /// Hands the block to the interpreter.
     pub(super) fn run_block(&mut self) {
         self.last = Some(self.block.origin());
+        if self.fault.as_ref().is_some_and(|(blocks, _)| *blocks == self.blocks)
+            && let Some((_, fault)) = self.fault.take()
+        {
+            self.interpreter.stop_at(fault);
+            self.ended = true;
+            return;
+        }
         if self.interpreter.block(&self.block) == Flow::End {
             self.end(true);
         }

@@ -4,7 +4,7 @@ use super::block::{Block, Word};
 use super::course::SwitchOn;
 use super::g_words::Compensation;
 use super::interpret::Interpreter;
-use super::items::RadiusSource;
+use super::items::{OrientationSource, RadiusSource};
 use super::number::whole;
 use super::words::Words;
 use crate::contour::{Plane, Side};
@@ -76,18 +76,23 @@ impl Interpreter {
                 };
                 let radius = RadiusSource::Given(0.5 * diameter.value * unit);
                 let orientation = self.orientation(block, words.take('L'));
+                let orientation = OrientationSource::Given(orientation);
                 Some(SwitchOn { side: seen(side), radius, allowance, orientation, unit, origin })
             }
             Some((Compensation::Tool(side), _)) => {
                 self.read_radius_number(block, number);
-                let radius = self.radius_source(origin);
-                Some(SwitchOn { side: seen(side), radius, allowance, orientation: 0, unit, origin })
+                if self.rules.is_strict {
+                    // It says something beside G41.1 alone.
+                    words.take('L');
+                }
+                let (radius, orientation) = self.tool_of(origin);
+                Some(SwitchOn { side: seen(side), radius, allowance, orientation, unit, origin })
             }
             None if number.or(offset).is_some() => {
                 self.read_radius_number(block, number);
                 self.course.switched().map(|before| {
-                    let radius = self.radius_source(origin);
-                    SwitchOn { side: before.side, radius, allowance, orientation: 0, unit, origin }
+                    let (radius, orientation) = self.tool_of(origin);
+                    SwitchOn { side: before.side, radius, allowance, orientation, unit, origin }
                 })
             }
             None => None,
@@ -128,11 +133,27 @@ impl Interpreter {
         0
     }
 
-    /// The radius that G41 and G42 ask for.
-    fn radius_source(&mut self, origin: Origin) -> RadiusSource {
+    /// Radius and orientation of the tool that G41 and G42 ask for: those that G10 gave it, or else
+    /// those of the table.
+    fn tool_of(&mut self, origin: Origin) -> (RadiusSource, OrientationSource) {
+        let number = self.tool_number(origin);
+        let Some(number) = number else {
+            return (RadiusSource::Given(0.0), OrientationSource::Given(0));
+        };
+        let (radius, tip) = (self.modal.radii.of(number), self.modal.tips.of(number));
+        #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 9")]
+        let given = |tip: f64| OrientationSource::Given(tip as u8);
+        (
+            radius.map_or(RadiusSource::Tool(number), RadiusSource::Given),
+            tip.map_or(OrientationSource::Tool(number), given),
+        )
+    }
+
+    /// The number of that tool; `None` for D0 where it means no radius.
+    fn tool_number(&mut self, origin: Origin) -> Option<u32> {
         if self.rules.spindle_tool {
             let number = self.modal.radius_number.filter(|number| *number > 0);
-            return self.radius_of(number.unwrap_or(self.modal.loaded_tool()));
+            return Some(number.unwrap_or(self.modal.loaded_tool()));
         }
         match self.modal.radius_number {
             Some(0) => {
@@ -142,14 +163,9 @@ impl Interpreter {
                     origin,
                     "give the number of the tool as a D word",
                 );
-                RadiusSource::Given(0.0)
+                None
             }
-            number => self.radius_of(number.unwrap_or(self.modal.active_tool())),
+            number => Some(number.unwrap_or(self.modal.active_tool())),
         }
-    }
-
-    /// The radius that G10 gave the tool, or else that of the table.
-    fn radius_of(&self, number: u32) -> RadiusSource {
-        self.modal.radius_of(number).map_or(RadiusSource::Tool(number), RadiusSource::Given)
     }
 }

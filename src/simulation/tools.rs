@@ -2,7 +2,7 @@
 
 use glam::DVec2;
 
-use crate::program::{ProgrammedContour, RadiusSource};
+use crate::program::{OrientationSource, ProgrammedContour, RadiusSource};
 
 /// Tools by their number.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -45,10 +45,17 @@ impl Tools {
     /// Which way the tip of the tool of a contour points, 0 where that is not known.
     #[must_use]
     pub fn orientation_of(&self, programmed: &ProgrammedContour) -> u8 {
-        match programmed.radius {
-            RadiusSource::Given(_) => programmed.orientation,
-            RadiusSource::Tool(number) => self.find(number).map_or(0, |tool| tool.orientation),
+        match programmed.orientation {
+            OrientationSource::Given(orientation) => orientation,
+            OrientationSource::Tool(number) => self.find(number).map_or(0, |tool| tool.orientation),
         }
+    }
+
+    /// Whether they are a table of all that there are, and this is none of them; 0 is no tool at all.
+    pub(super) fn lacks(&self, number: u32) -> bool {
+        let is_size = |tool: &ListedTool| matches!(tool.size, ToolSize::Diameter(_));
+        let is_table = self.default_radius.is_none() && self.listed.iter().any(is_size);
+        is_table && number != 0 && self.find(number).is_none()
     }
 
     fn find(&self, number: u32) -> Option<&ListedTool> {
