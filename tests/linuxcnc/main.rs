@@ -4,8 +4,8 @@
 mod common;
 
 mod documented;
-mod language;
 mod oracle;
 mod outputs;
+mod printed;
 mod refused;
 mod run;
