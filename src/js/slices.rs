@@ -7,7 +7,7 @@ use super::numbering::Numbering;
 use super::program::{ProgramHandle, tool_table};
 use super::settings::Settings;
 use super::tool_path::ToolPathHandle;
-use crate::program::{Dialect, Program, Rules, RunOptions, Runner};
+use crate::program::{Program, Rules, RunOptions, Runner};
 use crate::simulation::{Profile, ProgramCompensation};
 
 /// A program that is being read; `ProgramReader` of `types.d.ts` holds one.
@@ -35,11 +35,7 @@ impl ReaderHandle {
         let profile = profile.and_then(ProfileName::meaning).unwrap_or_default();
         let parameter = parameter.and_then(ParameterName::meaning).unwrap_or_default();
         let rules = Rules { block_delete, parameter, curve_tolerance, ..profile.rules() };
-        // A control that is strict reads its own dialect, whatever the text shows signs of.
-        let dialect = match dialect {
-            Dialect::Auto if rules.is_strict => Dialect::LinuxCnc,
-            dialect => dialect,
-        };
+        let dialect = rules.dialect(dialect, &text);
         let program = Program::from_text(text, dialect);
         let runner = Runner::new(&program, RunOptions { rules, ..RunOptions::default() });
         Self { runner, profile }

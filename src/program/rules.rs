@@ -1,5 +1,6 @@
 //! How a control reads the words that concern compensation, and splines.
 
+use super::dialect::Dialect;
 use crate::geometry::Parameter;
 
 /// How near curves that are no cubics are read as such by default [mm].
@@ -43,6 +44,22 @@ pub struct Rules {
     /// How near curves that are no cubics, those with weights and of a high degree, are read as
     /// such [mm]; at least 1e-9.
     pub curve_tolerance: f64,
+}
+
+impl Rules {
+    /// How a text is to be read: as asked for, or else in the language of the control, where that is
+    /// strict or the text shows signs of no other.
+    #[must_use]
+    pub fn dialect(&self, asked: Dialect, text: &str) -> Dialect {
+        if self.is_strict && asked == Dialect::Auto {
+            return Dialect::LinuxCnc;
+        }
+        match (asked.of(text), self.words) {
+            (Dialect::Auto, ControlWords::Fanuc) => Dialect::Fanuc,
+            (Dialect::Auto, ControlWords::Sinumerik) => Dialect::Sinumerik,
+            (found, _) => found,
+        }
+    }
 }
 
 impl Default for Rules {

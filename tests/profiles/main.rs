@@ -118,3 +118,20 @@ fn the_profiles_are_options_that_may_be_given_otherwise() {
     let path = path_with(&square([""; 4]), Profile::Sinumerik, &options);
     assert_eq!(arcs(&path), [], "an option given explicitly wins");
 }
+
+#[test]
+fn a_text_without_signs_is_read_in_the_language_of_its_control() {
+    let dialect = |profile: Profile, text: &str| profile.rules().dialect(Dialect::Auto, text);
+    for (profile, expected) in [
+        (Profile::G41, Dialect::Auto),
+        (Profile::LinuxCnc, Dialect::LinuxCnc),
+        (Profile::Fanuc, Dialect::Fanuc),
+        (Profile::Isg, Dialect::Auto),
+        (Profile::Sinumerik, Dialect::Sinumerik),
+    ] {
+        assert_eq!(dialect(profile, "G0 X1\nM30\n"), expected, "{profile:?}");
+        let asked = profile.rules().dialect(Dialect::Fanuc, "R1=5\n");
+        assert_eq!(asked, Dialect::Fanuc, "what is asked for counts");
+    }
+    assert_eq!(dialect(Profile::Sinumerik, "%\nO1234\n"), Dialect::Fanuc, "its signs count");
+}

@@ -7,7 +7,10 @@ import type { BlockOrigin, Diagnostic } from "./reports.js";
 
 /** How a program is read. */
 export interface ParseOptions {
-  /** How the text is to be understood. Default `"auto"`: the dialect that it shows signs of. */
+  /**
+   * How the text is to be understood. Default `"auto"`: the dialect that it shows signs of, or else
+   * that of the profile's control; with LinuxCNC's profile always its own.
+   */
   dialect?: Dialect;
   /**
    * The control that the program is written for: it decides what the words of compensation may ask
