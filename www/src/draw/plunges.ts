@@ -12,21 +12,24 @@ const MOST = 5000;
 
 const known = new WeakMap<Result, readonly Point[]>();
 
-/** Where a result goes down, each place once. */
+/** Where a result goes down, each place once; where a lead-in begins there is a mark already. */
 export function plungesOf(result: Result): readonly Point[] {
   const before = known.get(result);
   if (before) return before;
   const { records, stride, axes } = result;
   const [right, up] = axes;
   const down = 3 - right - up;
+  const name = ([x, y]: Point) => `${x} ${y}`;
   const places = new Map<string, Point>();
   for (let at = 0; at < records.length && places.size <= MOST; at += stride) {
     const from = (axis: number) => records[at + FIELD.from + axis] as number;
     const to = (axis: number) => records[at + FIELD.to + axis] as number;
     if (records[at + FIELD.kind] === RAPID || !(to(down) < from(down))) continue;
     if (from(right) !== to(right) || from(up) !== to(up)) continue;
-    places.set(`${to(right)} ${to(up)}`, [to(right), to(up)]);
+    const place: Point = [to(right), to(up)];
+    places.set(name(place), place);
   }
+  for (const { leadIn } of result.contours) if (leadIn) places.delete(name(leadIn));
   const list = places.size > MOST ? [] : [...places.values()];
   known.set(result, list);
   return list;
