@@ -38,7 +38,7 @@ pub(super) fn hold(rows: &mut [Row], right: &mut [DVec3], [first, last]: [usize;
     }
 }
 
-/// Decomposes in place (Cholesky without roots, `L D Lᵀ`): the rows then hold `D` and `L`.
+/// Decomposes in place (Cholesky without roots, `L D Lᵀ`): the rows then hold `1/D` and `L`.
 pub(super) fn decompose(rows: &mut [Row]) {
     for i in 0..rows.len() {
         let width = 5.min(i);
@@ -51,29 +51,29 @@ pub(super) fn decompose(rows: &mut [Row]) {
         }
         for d in 1..=width {
             let product = row[d];
-            row[d] /= rows[i - d][0];
+            row[d] *= rows[i - d][0];
             row[0] -= product * row[d];
         }
+        row[0] = 1.0 / row[0];
         rows[i] = row;
     }
 }
 
 /// Solves in place, given the decomposition: the solution is left on the right side.
 pub(super) fn solve(rows: &[Row], right: &mut [DVec3]) {
+    // Sums in this form: where code is small, `+=` on a point is a call.
     for (i, row) in rows.iter().enumerate() {
         let mut sum = right[i];
-        for d in 1..=5.min(i) {
-            sum -= right[i - d] * row[d];
+        for d in 1..6.min(i + 1) {
+            sum = right[i - d] * -row[d] + sum;
         }
         right[i] = sum;
     }
-    for (right, row) in right.iter_mut().zip(rows) {
-        *right /= row[0];
-    }
     for i in (0..rows.len()).rev() {
-        let solved = right[i];
-        for d in 1..=5.min(i) {
-            right[i - d] -= solved * rows[i][d];
+        let mut sum = right[i] * rows[i][0];
+        for d in 1..6.min(rows.len() - i) {
+            sum = right[i + d] * -rows[i + d][d] + sum;
         }
+        right[i] = sum;
     }
 }

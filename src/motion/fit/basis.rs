@@ -2,33 +2,41 @@
 
 use glam::DVec4;
 
-/// 120 times the six functions on one interval, each by ascending powers of `t` in `[0, 1]`: de
-/// Boor's recursion on the knots `-5, …, 6`.
-const FUNCTIONS: [[f64; 6]; 6] = [
-    [1.0, -5.0, 10.0, -10.0, 5.0, -1.0],
-    [26.0, -50.0, 20.0, 20.0, -20.0, 5.0],
-    [66.0, 0.0, -60.0, 0.0, 30.0, -10.0],
-    [26.0, 50.0, 20.0, -20.0, -20.0, 10.0],
-    [1.0, 5.0, 10.0, 10.0, 5.0, -5.0],
-    [0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
-];
+/// The six functions on one interval, each by ascending powers of `t` in `[0, 1]`: de Boor's
+/// recursion on the knots `-5, …, 6`.
+const FUNCTIONS: [[f64; 6]; 6] = {
+    let mut functions = [
+        [1.0, -5.0, 10.0, -10.0, 5.0, -1.0],
+        [26.0, -50.0, 20.0, 20.0, -20.0, 5.0],
+        [66.0, 0.0, -60.0, 0.0, 30.0, -10.0],
+        [26.0, 50.0, 20.0, -20.0, -20.0, 10.0],
+        [1.0, 5.0, 10.0, 10.0, 5.0, -5.0],
+        [0.0, 0.0, 0.0, 0.0, 0.0, 1.0],
+    ];
+    let mut i = 0;
+    while i < 36 {
+        functions[i / 6][i % 6] /= 120.0;
+        i += 1;
+    }
+    functions
+};
 
 /// The values of the six functions at `t` in `[0, 1]`; they are positive and sum up to 1.
 pub(super) fn weights(t: f64) -> [f64; 6] {
-    FUNCTIONS.map(|function| {
-        let mut sum = 0.0;
+    let mut values = [0.0; 6];
+    for (value, function) in values.iter_mut().zip(&FUNCTIONS) {
         for c in function.iter().rev() {
-            sum = sum * t + c;
+            *value = *value * t + c;
         }
-        sum / 120.0
-    })
+    }
+    values
 }
 
 /// The sum of the first six control points, weighted.
 pub(super) fn blend(controls: &[DVec4], weights: &[f64; 6]) -> DVec4 {
     let mut sum = DVec4::ZERO;
     for (control, weight) in controls.iter().zip(weights) {
-        sum += *control * *weight;
+        sum = *control * *weight + sum;
     }
     sum
 }
@@ -38,7 +46,7 @@ pub(super) fn powers(controls: &[DVec4]) -> [DVec4; 6] {
     let mut powers = [DVec4::ZERO; 6];
     for (control, function) in controls.iter().zip(&FUNCTIONS) {
         for (power, c) in powers.iter_mut().zip(function) {
-            *power += *control * (*c / 120.0);
+            *power = *control * *c + *power;
         }
     }
     powers
