@@ -6,7 +6,6 @@ use super::Tools;
 use super::ahead::with_look_ahead;
 use super::changes::{cross_over, leave_out_last, start_from};
 use super::judge::judge_again;
-use super::passed_words::for_words;
 use super::spline_blocks::name_blocks;
 use crate::compensation::{
     GougePolicy, LeadStyle, Options, Passes, compensate_all, compensate_beside, refuse_gouges,
@@ -123,12 +122,6 @@ impl Course {
         match item {
             Item::Free(free) => self.free(*free, options.lead == LeadStyle::LinuxCnc),
             Item::Words { words, reset, origin } => {
-                if options.lead == LeadStyle::LinuxCnc {
-                    self.calls(words, tools, *origin);
-                }
-                if self.is_stopped {
-                    return;
-                }
                 let mut reset = *reset;
                 // Moves that words make start where the tool is.
                 let makes_none = |reset: &Reset| reset.moves == 0;
@@ -151,27 +144,6 @@ impl Course {
             }
             Item::Contour(programmed) => self.contour(programmed, tools, options),
         }
-    }
-
-    /// A control stops where a tool is called that its table has not.
-    fn calls(&mut self, words: &str, tools: &Tools, origin: Origin) {
-        for_words(words, &mut |letter, value| {
-            #[expect(
-                clippy::cast_possible_truncation,
-                clippy::cast_sign_loss,
-                reason = "saturates"
-            )]
-            let number = value as u32;
-            if letter == b'T' && tools.lacks(number) {
-                self.is_stopped = true;
-                let message = format!("the table of tools has no tool {number}");
-                self.path.diagnostics.push(
-                    Diagnostic::error("missing-tool", message)
-                        .with_origin(origin)
-                        .with_hint("the control stops here, and so does the path"),
-                );
-            }
-        });
     }
 
     /// Where the tool is, once it has moved [mm].

@@ -51,13 +51,6 @@ impl Tools {
         }
     }
 
-    /// Whether they are a table of all that there are, and this is none of them; 0 is no tool at all.
-    pub(super) fn lacks(&self, number: u32) -> bool {
-        let is_size = |tool: &ListedTool| matches!(tool.size, ToolSize::Diameter(_));
-        let is_table = self.default_radius.is_none() && self.listed.iter().any(is_size);
-        is_table && number != 0 && self.find(number).is_none()
-    }
-
     fn find(&self, number: u32) -> Option<&ListedTool> {
         self.listed.iter().find(|tool| tool.number == number)
     }

@@ -89,14 +89,3 @@ fn without_a_radius_the_same_programs_run_to_their_ends() {
         assert_eq!(path.moves.last().map(|last| end(last).x), Some(5.0), "{text}");
     }
 }
-
-/// A tool that the table has not is no tool to change to; with a radius for every tool there is one.
-#[test]
-fn a_table_of_tools_is_all_that_there_are() {
-    let text = "G21 G0 X0 Y0 F10\nT9 M6\nG1 X9";
-    let path = run(text, &[(5, 2.0, 3)]);
-    assert_eq!(errors(&path), ["missing-tool"], "{:?}", path.diagnostics);
-    assert_eq!(path.moves.len(), 0, "nothing moves: {:?}", path.moves);
-    assert_eq!(errors(&run(text, &[])), [""; 0], "without a table");
-    assert_eq!(errors(&run("T0 M6\nG0 X1", &[(5, 2.0, 3)])), [""; 0], "no tool");
-}
