@@ -12,7 +12,9 @@
 
 mod banded;
 mod course;
+mod equations;
 mod law;
+mod limit;
 mod ramp;
 mod reference;
 mod retime;

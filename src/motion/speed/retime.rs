@@ -4,18 +4,24 @@
 //! Run at the rate `du/dt = √b(u)` the machine's acceleration is `b q'' + b' q'/2` and its jerk
 //! `√b (b q''' + 3/2 b' q'' + b''/2 q')` (the chain rule): linear in `b` but for the root. So with
 //! `b` a cubic spline the shortest time `∫ du/√b` within the limits is sought by an interior-point
-//! method: barriers `−μ log(1 − g)` for each limit `g ≤ 1` at each knot, Newton's method with a
-//! banded matrix, and a falling weight μ. That `b` is varied and not the velocity keeps stops out of
-//! the way: there `q'` vanishes, and `b` stays regular.
+//! method: barriers `−μ log(1 − g)` for each limit `g ≤ 1` at each knot, with a falling weight μ, and
+//! Newton's method with a banded matrix, where each limit has a price that goes to `μ/(1 − g)` by its own
+//! step of Newton's (primal and dual). That `b` is varied and not the velocity keeps stops out of the
+//! way: there `q'` vanishes, and `b` stays regular.
 //!
-//! Where a limit is broken at the start it is widened, and drawn in while the iteration leaves room;
-//! what is left is for the caller to judge.
+//! The first steps are whole ones, for all of the path: limits may be broken by them, and the next ones
+//! take that back. Where something still changes or is broken after those it goes on from segment to
+//! segment, so that a place where steps must be short does not hold up others. There a limit that is
+//! broken is widened, and drawn in while the iteration leaves room; what is left is for the caller to
+//! judge.
 
 use std::ops::Range;
 
 use glam::DVec3;
 
-use super::banded::{self, Rows};
+use super::banded;
+use super::equations::Work;
+use super::limit::{DRAWN, Limit, weight_of, widen};
 use super::spline::Basis;
 
 /// The path at a knot. Each interval of the spline `b` has one at its start and one half-way.
@@ -44,22 +50,40 @@ pub(super) struct Bounds {
 
 /// How strongly the first and last coefficients are held together, so that `b` does not change while
 /// the path stands still and nothing else decides on it.
-const TIE: f64 = 1.0e3;
+pub(super) const TIE: f64 = 1.0e3;
 
-/// The weight of the barriers of limits that are broken: it draws `b` away from them.
-const DRAWN: f64 = 5.0;
+/// What whole steps leave of the room of a limit at least, and what one has at the start.
+const LEFT: f64 = 0.3;
+const BEGUN: f64 = 0.1;
 
-/// What the limits are widened by: velocity, acceleration and jerk, snap to the next knot.
-type Slack = [f64; 3];
+/// What a whole step takes of `b` at most.
+const TAKEN: f64 = 0.7;
 
-/// The most limits at a knot: velocity, acceleration and jerk of the vector and of three axes, snap.
-const MOST_LIMITS: usize = 10;
+/// Whole steps at the last weight, but for the first.
+const SETTLE: usize = 2;
+
+/// What of a coefficient a whole step changes at most where it is the last one there, and how far
+/// limits are then broken.
+const MOVED: f64 = 0.01;
+const BROKEN: f64 = 3.0e-4;
+
+/// What the weight falls by from round to round.
+const FALL: f64 = 0.2;
+
+/// Coefficients of a segment.
+const SEGMENT: usize = 128;
+
+/// A segment is done where a step makes the merit smaller by less than this of the weight per knot.
+const SMALL: f64 = 0.3;
+
+/// Most steps on a segment in a round.
+const STEPS: usize = 3;
 
 /// A stretch of knots to be run faster.
 #[derive(Debug)]
 pub(super) struct Retiming<'a> {
-    knots: &'a [Knot],
-    bounds: &'a Bounds,
+    pub(super) knots: &'a [Knot],
+    pub(super) bounds: &'a Bounds,
     /// The splines of `b` at the knots.
     basis: &'a [Basis],
     /// Whether `b` is even at the start and at the end.
@@ -68,11 +92,11 @@ pub(super) struct Retiming<'a> {
 
 /// `b` and its root at a knot, and acceleration and jerk, the latter over the root.
 #[derive(Debug, Clone, Copy)]
-struct Rates {
-    b: f64,
-    root: f64,
-    acceleration: DVec3,
-    jerk: DVec3,
+pub(super) struct Rates {
+    pub(super) b: f64,
+    pub(super) root: f64,
+    pub(super) acceleration: DVec3,
+    pub(super) jerk: DVec3,
 }
 
 impl<'a> Retiming<'a> {
@@ -93,7 +117,7 @@ impl<'a> Retiming<'a> {
     }
 
     /// The first coefficient and the basis at a knot.
-    fn basis(&self, k: usize) -> (usize, &Basis) {
+    pub(super) fn basis(&self, k: usize) -> (usize, &Basis) {
         (if k + 1 == self.knots.len() { k / 2 - 1 } else { k / 2 }, &self.basis[k])
     }
 
@@ -116,120 +140,294 @@ impl<'a> Retiming<'a> {
         }
     }
 
-    /// The `g` of the limits at a knot, and how many they are: of the velocity, of acceleration and
-    /// jerk in turns, and of the snap up to the next knot.
-    fn values(&self, k: usize, rates: &Rates, next: Option<&Rates>) -> ([f64; MOST_LIMITS], usize) {
-        let knot = &self.knots[k];
-        let [strict_a, strict_j, strict_s] = knot.strict;
-        let mut values = [0.0; MOST_LIMITS];
-        values[0] = rates.b / knot.most;
-        let mut count = 1;
-        for [a, j] in &self.bounds.scales {
-            values[count] = (rates.acceleration * *a).length_squared() * strict_a;
-            values[count + 1] = rates.b * (rates.jerk * *j).length_squared() * strict_j;
-            count += 2;
-        }
-        if let Some(next) = next {
-            let change = next.jerk * next.root - rates.jerk * rates.root;
-            let per = self.bounds.snap * knot.step;
-            let size = change.length_squared() / (per * per);
-            values[count] = 0.5 * (rates.b + next.b) * size * strict_s;
-            count += 1;
-        }
-        (values, count)
-    }
-
-    /// Calls with each knot of a range, its rates and its limits.
-    fn each(&self, c: &[f64], range: Range<usize>, call: &mut dyn FnMut(usize, &Rates, &[f64])) {
-        if range.is_empty() {
-            return;
-        }
-        let mut rates = self.rates(c, range.start);
-        for k in range {
-            let next = (k + 1 < self.knots.len()).then(|| self.rates(c, k + 1));
-            let (values, count) = self.values(k, &rates, next.as_ref());
-            call(k, &rates, &values[..count]);
-            rates = next.unwrap_or(rates);
-        }
+    /// How many limits there are at a knot: of the velocity, of acceleration and jerk in turns, and of
+    /// the snap up to the next knot.
+    pub(super) fn count(&self) -> usize {
+        2 * self.bounds.scales.len() + 2
     }
 
     /// The kind of a limit at a knot: 0 velocity, 1 acceleration, 2 jerk, 3 snap.
     fn kind(&self, index: usize) -> usize {
         match index {
             0 => 0,
-            _ if index > 2 * self.bounds.scales.len() => 3,
+            _ if index + 1 == self.count() => 3,
             _ => 2 - index % 2,
         }
     }
 
-    /// The constant of at most 1 that `b` is to be multiplied by for every limit to hold.
-    pub(super) fn even(&self, c: &[f64]) -> f64 {
-        let mut least = 1.0_f64;
-        self.each(c, 0..self.knots.len(), &mut |_, _, values| {
-            for (index, g) in values.iter().copied().enumerate() {
-                if g > 1.0 {
-                    least = least.min(match self.kind(index) {
-                        0 => 1.0 / g,
-                        1 => 1.0 / g.sqrt(),
-                        2 => 1.0 / g.cbrt(),
-                        _ => 1.0 / g.sqrt().sqrt(),
-                    });
+    /// Finds the rates at some knots, and what the limits are there.
+    fn evaluate(&self, c: &[f64], range: &Range<usize>, found: &mut Found) {
+        let count = self.count();
+        let end = (range.end + 1).min(self.knots.len());
+        for k in range.start..end {
+            found.rates[k] = self.rates(c, k);
+        }
+        for k in range.clone() {
+            let knot = &self.knots[k];
+            let [strict_a, strict_j, strict_s] = knot.strict;
+            let rates = &found.rates[k];
+            let limits = &mut found.limits[k * count..(k + 1) * count];
+            limits[0].value = rates.b / knot.most;
+            let mut index = 1;
+            for [a, j] in &self.bounds.scales {
+                limits[index].value = (rates.acceleration * *a).length_squared() * strict_a;
+                limits[index + 1].value = rates.b * (rates.jerk * *j).length_squared() * strict_j;
+                index += 2;
+            }
+            if let Some(next) = found.rates.get(k + 1) {
+                let change = next.jerk * next.root - rates.jerk * rates.root;
+                let per = self.bounds.snap * knot.step;
+                let size = change.length_squared() / (per * per);
+                limits[index].value = 0.5 * (rates.b + next.b) * size * strict_s;
+            }
+        }
+    }
+
+    /// The time in steps, and the barriers, at some knots; infinite outside the limits.
+    fn merit(&self, c: &[f64], range: &Range<usize>, found: &Found, weight: f64) -> f64 {
+        let count = self.count();
+        let mut merit = 0.0;
+        for (i, tied) in self.ties(c.len()) {
+            merit += 0.5 * TIE * (c[i] - c[tied]) * (c[i] - c[tied]);
+        }
+        // Logarithms are dear: one for many factors.
+        let mut products = [1.0_f64; 2];
+        for k in range.clone() {
+            let rates = &found.rates[k];
+            if rates.b <= 0.0 {
+                return f64::INFINITY;
+            }
+            merit += self.knots[k].share / rates.root;
+            for limit in &found.limits[k * count..(k + 1) * count] {
+                let room = 1.0 - limit.value / limit.slack;
+                if room <= 0.0 || room.is_nan() {
+                    return f64::INFINITY;
+                }
+                products[usize::from(limit.slack > 1.0)] *= room;
+            }
+            for (product, weight) in products.iter_mut().zip([weight, weight.max(DRAWN)]) {
+                if *product < 1.0e-100 || k + 1 == range.end {
+                    merit -= weight * product.ln();
+                    *product = 1.0;
                 }
             }
-        });
+        }
+        merit
+    }
+
+    /// The constant of at most 1 that `b` is to be multiplied by for every limit to hold.
+    pub(super) fn even(&self, c: &[f64]) -> f64 {
+        let mut found = self.begin();
+        self.evaluate(c, &(0..self.knots.len()), &mut found);
+        let mut least = 1.0_f64;
+        for (index, limit) in found.limits.iter().enumerate() {
+            let g = limit.value;
+            if g > 1.0 {
+                least = least.min(match self.kind(index % self.count()) {
+                    0 => 1.0 / g,
+                    1 => 1.0 / g.sqrt(),
+                    2 => 1.0 / g.cbrt(),
+                    _ => 1.0 / g.sqrt().sqrt(),
+                });
+            }
+        }
         least
     }
 
-    /// Improves the free ones of the coefficients of `b`; `true` where every limit holds that they
-    /// act on.
+    /// What is to be known at the knots.
+    pub(super) fn begin(&self) -> Found {
+        let rates = Rates { b: 0.0, root: 0.0, acceleration: DVec3::ZERO, jerk: DVec3::ZERO };
+        let limit = Limit { value: 0.0, slack: f64::INFINITY, price: 0.0 };
+        let n = self.knots.len();
+        Found { rates: vec![rates; n], limits: vec![limit; n * self.count()] }
+    }
+
+    /// Improves the free ones of the coefficients of `b`: where the weight is to fall from a larger one,
+    /// first by whole steps; then in rounds where something still changes or is broken.
     pub(super) fn improve(
         &self,
         c: &mut [f64],
+        found: &mut Found,
         free: Range<usize>,
         [start, end]: [f64; 2],
         rounds: usize,
+    ) {
+        let mut work = Work::default();
+        // Segments, from every second of which on the next round has others.
+        let half = SEGMENT / 2;
+        let mut moving = vec![start <= end; free.len() / half + 2];
+        // What they are held to may be another by now.
+        self.evaluate(c, &self.reach(&free), found);
+        if start > end {
+            for i in self.sweep(c, found, &free, [start, end], &mut work) {
+                moving[i.saturating_sub(free.start) / half] = true;
+            }
+        }
+        for round in 0..rounds {
+            let mut moves = vec![false; moving.len()];
+            let mut any = false;
+            let mut from = 0;
+            while from < free.len() {
+                let mut to = from + SEGMENT;
+                if from == 0 && round % 2 == 1 {
+                    to = half;
+                }
+                if to + half > free.len() {
+                    to = free.len();
+                }
+                let parts = from / half..to.div_ceil(half);
+                if moving[parts.clone()].contains(&true) {
+                    let free = free.start + from..free.start + to;
+                    let moved = self.segment(c, found, free, end, &mut work);
+                    if moved {
+                        moves[parts].fill(true);
+                        any = true;
+                    }
+                }
+                from = to;
+            }
+            if !any {
+                break;
+            }
+            moving = moves;
+        }
+    }
+
+    /// Takes whole steps with falling weights, and marks where that is not enough.
+    fn sweep(
+        &self,
+        c: &mut [f64],
+        found: &mut Found,
+        free: &Range<usize>,
+        [start, end]: [f64; 2],
+        work: &mut Work,
+    ) -> Vec<usize> {
+        let mut weight = start;
+        for limit in &mut found.limits {
+            limit.slack = limit.value + (1.0 - limit.value).max(BEGUN);
+            limit.price = weight / (limit.slack - limit.value);
+        }
+        let mut left = SETTLE;
+        loop {
+            self.step(c, found, free.clone(), weight, work);
+            if weight <= end {
+                if left == 0 {
+                    break;
+                }
+                left -= 1;
+            }
+            weight = (weight * FALL).max(end);
+        }
+        let mut marked = Vec::new();
+        for i in free.clone() {
+            if (c[i] - work.old[i - free.start]).abs() > MOVED * c[i].abs() {
+                marked.push(i);
+            }
+        }
+        let count = self.count();
+        for (index, limit) in found.limits.iter().enumerate() {
+            if limit.value > 1.0 + BROKEN {
+                marked.push(index / (2 * count));
+            }
+        }
+        marked
+    }
+
+    /// Takes one whole step: limits may be broken by it, and what they and their rooms then are over 1
+    /// is taken back by the next one.
+    fn step(
+        &self,
+        c: &mut [f64],
+        found: &mut Found,
+        free: Range<usize>,
+        weight: f64,
+        work: &mut Work,
+    ) {
+        let range = self.reach(&free);
+        let base = range.start / 2;
+        let inner = free.start - base..free.end - base;
+        self.assemble(c, &range, found, [weight, weight], work);
+        let Work { rows, right, old, was, .. } = work;
+        old.clear();
+        old.extend_from_slice(&c[free.clone()]);
+        if !banded::solve(&mut rows[inner.clone()], &mut right[inner.clone()]) {
+            return;
+        }
+        right[..inner.start].fill(0.0);
+        right[inner.end..].fill(0.0);
+        let mut size = 1.0_f64;
+        for k in range.clone() {
+            let (first, basis) = self.basis(k);
+            let mut change = 0.0;
+            for i in 0..4 {
+                change += basis[0][i] * right[first - base + i];
+            }
+            if change < 0.0 {
+                size = size.min(-TAKEN * found.rates[k].b / change);
+            }
+        }
+        for i in inner {
+            c[base + i] += size * right[i];
+        }
+        was.clone_from(&found.limits);
+        self.evaluate(c, &range, found);
+        for (limit, was) in found.limits.iter_mut().zip(was.iter()) {
+            let room = was.slack - was.value;
+            let now = (1.0 - limit.value).max(LEFT * room);
+            limit.slack = limit.value + now;
+            let over = size * (was.slack - 1.0);
+            limit.price = was.price(weight, size, over + limit.value - was.value, weight / now);
+        }
+    }
+
+    /// Takes some steps with some of the coefficients; whether more would help.
+    fn segment(
+        &self,
+        c: &mut [f64],
+        found: &mut Found,
+        free: Range<usize>,
+        weight: f64,
+        work: &mut Work,
     ) -> bool {
         let range = self.reach(&free);
         // The first coefficient that acts there, and how many do.
         let base = range.start / 2;
         let n = c.len().min(range.end / 2 + 4) - base;
         let inner = free.start - base..free.end - base;
-        let mut rows: Rows = vec![[0.0; 4]; n];
-        let mut right = vec![0.0; n];
-        let mut gradient = vec![0.0; n];
-        let mut old = vec![0.0; n];
-        let mut slack = vec![[f64::INFINITY; 3]; range.len()];
-        let mut weight = start;
+        let count = self.count();
+        let limits = range.start * count..range.end * count;
         let mut feasible = false;
+        let mut now = f64::INFINITY;
         let mut size = 1.0;
-        let mut now = [f64::INFINITY; 3];
-        for round in 0..rounds {
+        for _ in 0..STEPS {
             // What holds once is never broken again: the barriers see to it.
             if !feasible {
-                feasible = self.widen(c, &range, &mut slack);
-                if feasible && round > 0 {
-                    weight = weight.max(start);
-                }
-                now = self.merit(c, &range, &slack);
+                feasible = widen(&mut found.limits[limits.clone()], weight);
+                now = self.merit(c, &range, found, weight);
             }
-            self.assemble(c, &range, &slack, weight, &mut rows, &mut right);
-            gradient.copy_from_slice(&right);
+            self.assemble(c, &range, found, [weight, weight.max(DRAWN)], work);
+            let Work { rows, right, old, gradient, was } = work;
+            gradient.clone_from(right);
             if !banded::solve(&mut rows[inner.clone()], &mut right[inner.clone()]) {
-                break;
+                return false;
             }
             let mut descent = 0.0;
             for i in inner.clone() {
                 descent += gradient[i] * right[i];
             }
+            old.clear();
+            old.extend_from_slice(&c[base..base + n]);
+            was.clear();
+            was.extend_from_slice(&found.limits[limits.clone()]);
             let mut accepted = false;
             size = (2.0_f64 * size).min(1.0);
-            old.copy_from_slice(&c[base..base + n]);
-            while size > 1.0e-4 {
+            while size > 1.0e-3 {
                 for i in inner.clone() {
                     c[base + i] = old[i] + size * right[i];
                 }
-                let then = self.merit(c, &range, &slack);
-                if sum(then, weight) <= sum(now, weight) - 0.1 * size * descent {
+                self.evaluate(c, &range, found);
+                let then = self.merit(c, &range, found, weight);
+                if then <= now - 0.1 * size * descent {
                     accepted = true;
                     now = then;
                     break;
@@ -237,237 +435,39 @@ impl<'a> Retiming<'a> {
                 size *= 0.5;
             }
             if !accepted {
-                c[base..base + n].copy_from_slice(&old);
+                c[base..base + n].copy_from_slice(old);
+                self.evaluate(c, &range, found);
             }
-            let small = descent < 0.5 * weight * range.len() as f64;
-            if feasible && (!accepted || small || size > 0.5) {
-                if weight <= end && (small || !accepted) {
-                    break;
-                }
-                weight = (weight * if small { 0.1 } else { 0.3 }).max(end);
-            } else if !accepted {
-                break;
-            }
-        }
-        feasible || self.widen(c, &range, &mut slack)
-    }
-
-    /// Widens limits that are broken, and draws in those that were; `true` where none is wide.
-    fn widen(&self, c: &[f64], range: &Range<usize>, slack: &mut [Slack]) -> bool {
-        let mut feasible = true;
-        self.each(c, range.clone(), &mut |k, _, values| {
-            let mut found = [0.0_f64; 3];
-            for (index, g) in values.iter().enumerate() {
-                let group = GROUPS[self.kind(index)];
-                found[group] = found[group].max(*g);
-            }
-            for (wide, g) in slack[k - range.start].iter_mut().zip(found) {
-                let now = (1.1 * g).max(1.0);
-                *wide = if g < 1.0 { 1.0 } else { wide.min(now) };
-                feasible &= *wide <= 1.0;
-            }
-        });
-        feasible
-    }
-
-    /// The time in steps, and what the barriers of limits that hold and of those that do not add at
-    /// weight 1; infinite outside the limits.
-    fn merit(&self, c: &[f64], range: &Range<usize>, slack: &[Slack]) -> [f64; 3] {
-        let mut found = [0.0; 3];
-        for (i, tied) in self.ties(c.len()) {
-            found[0] += 0.5 * TIE * (c[i] - c[tied]) * (c[i] - c[tied]);
-        }
-        // Logarithms are dear: one for many factors.
-        let mut products = [1.0_f64; 2];
-        let mut inside = true;
-        self.each(c, range.clone(), &mut |k, rates, values| {
-            inside &= rates.b > 0.0;
-            found[0] += self.knots[k].share / rates.root;
-            for (index, g) in values.iter().enumerate() {
-                let slack = slack[k - range.start][GROUPS[self.kind(index)]];
-                let wide = usize::from(slack > 1.0);
-                let room = if slack > 1.0 { 1.0 - g / slack } else { 1.0 - g };
-                inside &= room > 0.0;
-                products[wide] *= room;
-            }
-            for (product, found) in products.iter_mut().zip(&mut found[1..]) {
-                if *product < 1.0e-100 {
-                    *found -= product.ln();
-                    *product = 1.0;
+            for (limit, was) in found.limits[limits.clone()].iter_mut().zip(was.iter()) {
+                let weight = weight_of(limit.slack, weight);
+                let even = weight / (limit.slack - limit.value);
+                limit.price = even;
+                if accepted {
+                    limit.price = was.price(weight, size, limit.value - was.value, even);
                 }
             }
-        });
-        if !inside {
-            return [f64::INFINITY; 3];
-        }
-        found[1] -= products[0].ln();
-        found[2] -= products[1].ln();
-        found
-    }
-
-    /// Writes the equations of Newton's step.
-    ///
-    /// What a limit at one knot adds is put together by `b`, `b'` and `b''` there, and carried over to
-    /// the coefficients once for all of them. Of the second derivatives of the barriers only the part
-    /// that is never negative is kept.
-    fn assemble(
-        &self,
-        c: &[f64],
-        range: &Range<usize>,
-        slack: &[Slack],
-        weight: f64,
-        rows: &mut [[f64; 4]],
-        right: &mut [f64],
-    ) {
-        rows.fill([1.0e-9, 0.0, 0.0, 0.0]);
-        right.fill(0.0);
-        let base = range.start / 2;
-        let barrier = |slack: f64, g: f64| {
-            let weight = if slack > 1.0 { weight.max(DRAWN) } else { weight };
-            let one = weight / (slack - g);
-            (one, one / (slack - g))
-        };
-        let mut rates = self.rates(c, range.start);
-        for k in range.clone() {
-            let knot = &self.knots[k];
-            let Rates { b, root, .. } = rates;
-            let [tangent, second, third] = knot.path;
-            let [strict_a, strict_j, strict_s] = knot.strict;
-            let (first, basis) = self.basis(k);
-            let slack = &slack[k - range.start];
-            let place = first - base;
-            // The time 1/√b, and the velocity.
-            let mut local = Local::default();
-            let slope = 0.5 * knot.share / (b * root);
-            let (one, two) = barrier(slack[0], b / knot.most);
-            local.right[0] = slope - one / knot.most;
-            local.matrix[0] = 1.5 * slope / b + two / (knot.most * knot.most);
-            for [a, j] in &self.bounds.scales {
-                let value = rates.acceleration * *a;
-                let values = [second * *a, tangent * *a * 0.5, DVec3::ZERO];
-                let (one, two) = barrier(slack[1], value.length_squared() * strict_a);
-                local.add(&values, value, 0.0, [one * strict_a, two * strict_a * strict_a]);
-                let value = rates.jerk * *j;
-                let values = [third * *j, second * *j * 1.5, tangent * *j * 0.5];
-                let size = value.length_squared();
-                let (one, two) = barrier(slack[1], b * size * strict_j);
-                // b |value|²: as if it were b times the slopes, and |value|² more by b itself.
-                let factors = [one * strict_j * b, two * strict_j * strict_j * b * b];
-                local.add(&values, value, size / b, factors);
+            if !accepted {
+                return false;
             }
-            local.carry(basis, &mut rows[place..place + 4], &mut right[place..place + 4]);
-            if k + 1 == self.knots.len() {
-                break;
-            }
-            let next = self.rates(c, k + 1);
-            let (next_first, next_basis) = self.basis(k + 1);
-            let change = next.jerk * next.root - rates.jerk * root;
-            let per = self.bounds.snap * knot.step;
-            let strict_s = strict_s / (per * per);
-            let mean = 0.5 * (b + next.b);
-            let size = change.length_squared();
-            let (one, two) = barrier(slack[2], mean * size * strict_s);
-            // Both knots are in one interval of the spline, whose coefficients are those of the first.
-            let mut values = [DVec3::ZERO; 4];
-            let mut slopes = [0.0; 4];
-            let ends =
-                [(k, &rates, basis, 0, -1.0), (k + 1, &next, next_basis, next_first - first, 1.0)];
-            for (k, rates, basis, shift, sign) in ends {
-                let [tangent, second, third] = self.knots[k].path;
-                let root = sign * rates.root;
-                let by = [
-                    third * root + rates.jerk * (0.5 / root),
-                    second * (1.5 * root),
-                    tangent * (0.5 * root),
-                ];
-                for i in shift..4 {
-                    let j = i - shift;
-                    values[i] += by[0] * basis[0][j] + by[1] * basis[1][j] + by[2] * basis[2][j];
-                    slopes[i] += 0.5 * basis[0][j] * size * strict_s;
-                }
-            }
-            let bend = 2.0 * one * mean * strict_s;
-            for i in 0..4 {
-                slopes[i] += 2.0 * mean * strict_s * values[i].dot(change);
-            }
-            for i in 0..4 {
-                right[place + i] -= one * slopes[i];
-                let row = &mut rows[place + i];
-                let (along, value) = (two * slopes[i], values[i] * bend);
-                for j in 0..=i {
-                    row[i - j] += along * slopes[j] + value.dot(values[j]);
-                }
-            }
-            rates = next;
-        }
-        for (i, tied) in self.ties(c.len()) {
-            if tied >= base && i < base + right.len() {
-                let gap = c[i] - c[tied];
-                right[i - base] -= TIE * gap;
-                right[tied - base] += TIE * gap;
-                rows[i - base][0] += TIE;
-                rows[tied - base][0] += TIE;
-                rows[i - base][1] -= TIE;
+            if feasible && descent < SMALL * weight * range.len() as f64 {
+                return false;
             }
         }
+        true
     }
 
     /// The coefficients that are held together: each, and the one before it.
-    fn ties(&self, n: usize) -> impl Iterator<Item = (usize, usize)> {
+    pub(super) fn ties(&self, n: usize) -> impl Iterator<Item = (usize, usize)> {
         let [start, end] = self.tied;
         let ends = [(1, start), (2, start), (3, start), (n - 3, end), (n - 2, end), (n - 1, end)];
         ends.into_iter().filter(|(_, tied)| *tied).map(|(i, _)| (i, i - 1))
     }
 }
 
-/// Which of the slacks each kind of limit has.
-const GROUPS: [usize; 4] = [0, 1, 1, 2];
-
-/// The merit: the time with the barriers at their weights.
-fn sum([time, held, broken]: [f64; 3], weight: f64) -> f64 {
-    time + weight * held + weight.max(DRAWN) * broken
-}
-
-/// Newton's equations by `b`, `b'` and `b''` at a knot: the lower half of the matrix row by row.
-#[derive(Debug, Clone, Copy, Default)]
-struct Local {
-    right: [f64; 3],
-    matrix: [f64; 6],
-}
-
-impl Local {
-    /// Adds the barrier of `|value|²`, whose derivatives are `values`, and to whose slope by `b`
-    /// `more` is added; its first and second derivative are the factors.
-    fn add(&mut self, values: &[DVec3; 3], value: DVec3, more: f64, [one, two]: [f64; 2]) {
-        let mut slopes = values.map(|slope| 2.0 * slope.dot(value));
-        slopes[0] += more;
-        let mut place = 0;
-        for i in 0..3 {
-            self.right[i] -= one * slopes[i];
-            for j in 0..=i {
-                self.matrix[place] +=
-                    two * slopes[i] * slopes[j] + 2.0 * one * values[i].dot(values[j]);
-                place += 1;
-            }
-        }
-    }
-
-    /// Carries them over to the four coefficients.
-    fn carry(&self, basis: &Basis, rows: &mut [[f64; 4]], right: &mut [f64]) {
-        let [m00, m10, m11, m20, m21, m22] = self.matrix;
-        for i in 0..4 {
-            let [x, y, z] = [basis[0][i], basis[1][i], basis[2][i]];
-            right[i] += self.right[0] * x + self.right[1] * y + self.right[2] * z;
-            let along = [
-                m00 * x + m10 * y + m20 * z,
-                m10 * x + m11 * y + m21 * z,
-                m20 * x + m21 * y + m22 * z,
-            ];
-            let row = &mut rows[i];
-            for j in 0..=i {
-                row[i - j] +=
-                    along[0] * basis[0][j] + along[1] * basis[1][j] + along[2] * basis[2][j];
-            }
-        }
-    }
+/// What is known at the knots: rates, and limits.
+#[derive(Debug, Clone)]
+pub(super) struct Found {
+    pub(super) rates: Vec<Rates>,
+    /// As many for each knot: of velocity, acceleration and jerk in turns, and snap to the next knot.
+    pub(super) limits: Vec<Limit>,
 }

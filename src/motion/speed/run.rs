@@ -8,7 +8,7 @@ use super::course::{Course, across};
 use super::law::{Phase, State, length};
 use super::ramp::{Rates, cruise};
 use super::reference::{reference, sampled, state};
-use super::retime::{Bounds, Knot, Retiming};
+use super::retime::{Bounds, Found, Knot, Retiming};
 use super::spline::{Basis, bases};
 use super::verify::{BETWEEN, factor, verify};
 use crate::motion::{Limits, Piece};
@@ -86,12 +86,12 @@ fn planned(course: &Course, limits: &Limits, head: &[Phase]) -> Option<(Vec<Phas
     let borders = (0..at.len() - 3).map(|k| span * k as f64).collect();
     let mut first = Stage::new(course, limits, &bounds, &at, span, borders);
     first.is_head = is_head;
-    first.improve([0.3, 1.0e-2]);
+    first.improve([0.3, 1.0e-2], 0.0, 0);
     let (at, span, borders) = resample(&first.law, course, step, is_head);
     let mut stage = Stage::new(course, limits, &bounds, &at, span, borders);
     stage.is_head = is_head;
-    stage.improve([0.05, 1.0e-3]);
-    let factor = stage.repair() * SURE;
+    let found = stage.improve([0.3, 1.0e-3], 0.0, 12);
+    let factor = stage.repair(found) * SURE;
     Some((stage.law, factor))
 }
 
@@ -231,20 +231,22 @@ impl<'a> Stage<'a> {
         Retiming::new(&self.knots, self.bounds, &self.bases, [!self.is_head, true])
     }
 
-    /// Makes all of the law faster.
-    fn improve(&mut self, weights: [f64; 2]) {
+    /// Makes all of the law faster; returns what is then known at its knots.
+    fn improve(&mut self, weights: [f64; 2], least: f64, rounds: usize) -> Found {
         let mut c = std::mem::take(&mut self.c);
         let retiming = self.retiming();
-        // Slowed down evenly, so that limits hold at the knots and the barriers are finite.
-        let even = 0.97 * retiming.even(&c);
+        // Slowed down evenly, so that most limits hold at the knots.
+        let even = (0.97 * retiming.even(&c)).max(least);
         for (i, one) in c.iter_mut().enumerate() {
             *one *= 1.0 + (even - 1.0) * self.free(i);
         }
         let all = self.first()..c.len();
-        retiming.improve(&mut c, all, weights, 60);
+        let mut found = retiming.begin();
+        retiming.improve(&mut c, &mut found, all, weights, rounds);
         self.c = c;
         self.law.clear();
         self.phases(0..self.knots.len() - 1);
+        found
     }
 
     /// Writes phases of the law.
@@ -276,7 +278,7 @@ impl<'a> Stage<'a> {
 
     /// Looks at the law between its knots, and repairs it where it breaks limits; returns the factor
     /// on time that puts right what is left.
-    fn repair(&mut self) -> f64 {
+    fn repair(&mut self, mut found: Found) -> f64 {
         let mut excess = vec![[0.0; 4]; self.law.len()];
         verify(self.course, self.limits, self.bounds, &self.law, 0..self.law.len(), &mut excess);
         let mut best = (self.law.clone(), worst(&excess).max(1.0));
@@ -289,7 +291,7 @@ impl<'a> Stage<'a> {
             for free in ranges {
                 if round < SOUGHT {
                     let mut c = std::mem::take(&mut self.c);
-                    self.retiming().improve(&mut c, free.clone(), [5.0e-3, 1.0e-3], 60);
+                    self.retiming().improve(&mut c, &mut found, free.clone(), [1.0e-3, 1.0e-3], 12);
                     self.c = c;
                 }
                 let first = (2 * free.start).saturating_sub(6);

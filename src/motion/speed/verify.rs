@@ -10,17 +10,23 @@ use super::retime::Bounds;
 use crate::motion::Limits;
 
 /// Places per phase.
-const PLACES: usize = 9;
+const PLACES: usize = 4;
 
 /// Part of the change of jerk in a period that is left to what lies between the places.
 pub(super) const BETWEEN: f64 = 0.95;
+
+/// What of a limit is well within it.
+const HOLDS: f64 = 0.99;
 
 /// Halvings of a step that find the border of two pieces.
 const HALVINGS: u32 = 12;
 
 /// The factor on time that puts a phase right: acceleration, jerk, snap and velocity over their limits
-/// go with its powers.
+/// go with its powers. Where all are well within them it is 0.
 pub(super) fn factor([a, j, s, v]: &[f64; 4]) -> f64 {
+    if a.max(*j).max(*s).max(*v) < HOLDS && (a + j + s + v).is_finite() {
+        return 0.0;
+    }
     let factor = v.max(a.sqrt()).max(j.cbrt()).max(s.sqrt().sqrt());
     if (a + j + s + v).is_finite() { factor } else { f64::INFINITY }
 }
@@ -40,6 +46,7 @@ pub(super) fn verify(
     let mut before: Vec<(f64, DVec3)> = Vec::new();
     let mut oldest = 0;
     let mut start = 0.0;
+    let mut places = Vec::with_capacity(2 * PLACES);
     let mut first = range.start;
     let mut back = 0.0;
     while first > 0 && back < 1.5 * limits.period {
@@ -49,7 +56,8 @@ pub(super) fn verify(
     for k in first..range.end {
         let phase = &law[k];
         let mut worst = [0.0_f64; 4];
-        for time in times(course, phase, at) {
+        times(course, phase, at, &mut places);
+        for time in places.iter().copied() {
             let [s, v, a, j] = phase.at(time);
             let frame = course.frame(s, &mut at);
             let acceleration = frame.tangent * a + frame.curvature * (v * v);
@@ -101,13 +109,18 @@ pub(super) fn verify(
 
 /// Where a phase is looked at: at even steps, and where it comes to other pieces, as jerk has a kink
 /// there.
-fn times(course: &Course, phase: &Phase, mut at: usize) -> Vec<f64> {
-    let mut times = Vec::with_capacity(PLACES + 1);
+fn times(course: &Course, phase: &Phase, mut at: usize, times: &mut Vec<f64>) {
+    times.clear();
     course.find(phase.at(0.0)[0], &mut at);
+    let mut end = at;
+    course.find(phase.at(phase.duration)[0], &mut end);
+    let step = phase.duration / PLACES as f64;
     for place in 0..PLACES {
-        let step = phase.duration / PLACES as f64;
         let time = step * place as f64;
         times.push(time);
+        if at == end {
+            continue;
+        }
         let before = at;
         course.find(phase.at(time + step)[0], &mut at);
         if at > before {
@@ -119,5 +132,4 @@ fn times(course: &Course, phase: &Phase, mut at: usize) -> Vec<f64> {
             times.push(to);
         }
     }
-    times
 }
