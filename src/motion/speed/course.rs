@@ -5,6 +5,9 @@ use crate::motion::{Frame, Joint, Limits, Piece, Placed};
 /// Places on a curve where the speed that its bend allows is looked at.
 const PLACES: u8 = 12;
 
+/// How much less quickly a fitted piece turns than a rounded corner of its length.
+const SMOOTH: f64 = 3.0;
+
 /// A place of a course with what bounds the speed there.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Place {
@@ -138,6 +141,8 @@ impl Course {
     pub(super) fn turning(&self, at: usize) -> f64 {
         match &self.pieces[at].piece {
             Piece::Straight(_) | Piece::Helix(_) | Piece::Unwound(_) => f64::INFINITY,
+            // One interval of a smooth spline turns by less than a rounded corner does.
+            Piece::Quintic(quintic) => SMOOTH * quintic.length,
             piece => piece.length(),
         }
     }

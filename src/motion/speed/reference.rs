@@ -33,7 +33,11 @@ pub(super) fn reference(
     // How many coefficients follow the head, and where it then is, how fast.
     let (mut followed, mut from) = (0, [0.0; 2]);
     if !head.is_empty() {
-        followed = count(FOLLOWED * length(head) / step);
+        let long = length(head);
+        if !long.is_finite() {
+            return None;
+        }
+        followed = count(FOLLOWED * long / step);
         let [s, v, ..] = state_at(head, (followed as f64 - 1.5) * step);
         from = [s, v];
     }

@@ -28,6 +28,9 @@ const CHANGES: f64 = 1.04;
 /// What a peak may exceed the places by where a law is looked at, as a factor on time.
 const SURE: f64 = 1.0004;
 
+/// The part of the limits that is taken where no law is found.
+const SLOW: f64 = 0.5;
+
 /// How often what is broken between knots is made stricter there.
 const REPAIRS: usize = 12;
 
@@ -57,7 +60,10 @@ pub(in crate::motion) fn law(course: &Course, limits: &Limits) -> Vec<Phase> {
     if let Some(law) = along_line(course, limits) {
         return law;
     }
-    let Some((mut law, factor)) = planned(course, limits, &[]) else { return Vec::new() };
+    let Some((mut law, mut factor)) = planned(course, limits, &[]) else { return Vec::new() };
+    if !factor.is_finite() {
+        (law, factor) = slowly(course, limits);
+    }
     if factor > 1.0 {
         for phase in &mut law {
             *phase = phase.stretched(factor);
@@ -93,6 +99,21 @@ fn planned(course: &Course, limits: &Limits, head: &[Phase]) -> Option<(Vec<Phas
     let found = stage.improve([0.3, 1.0e-3], 0.0, 12);
     let factor = stage.repair(found) * SURE;
     Some((stage.law, factor))
+}
+
+/// A law for where the search finds none: evenly, far below what any bend allows.
+fn slowly(course: &Course, limits: &Limits) -> (Vec<Phase>, f64) {
+    let mut slowest = course.cap();
+    for place in &course.places {
+        slowest = slowest.min(place.speed);
+    }
+    let rates = Rates::along(DVec3::ONE, SLOW * slowest, limits).by(SLOW);
+    let ends = course.moving.map(|moves| if moves { rates.velocity } else { 0.0 });
+    let law = cruise(0.0, course.length, ends, &rates);
+    let mut excess = vec![[0.0; 4]; law.len()];
+    verify(course, limits, &bounds(limits), &law, 0..law.len(), &mut excess);
+    let factor = worst(&excess) * SURE;
+    (law, factor)
 }
 
 /// The law of a run that is a single line: ramps are the quickest that there are.
@@ -475,4 +496,45 @@ fn resample(law: &[Phase], course: &Course, step: f64, is_head: bool) -> (Vec<f6
     }
     borders.push(span * (at.len() - 4) as f64);
     (at, span, borders)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contour::{Move, MoveCurve, Plane, Role};
+    use crate::geometry::Line;
+    use crate::motion::TrackBuilder;
+    use glam::DVec2;
+
+    #[test]
+    fn where_no_law_is_found_a_slow_one_keeps_the_limits() {
+        let limits = Limits::default();
+        let mut builder = TrackBuilder::new(&limits);
+        let mut track = Vec::new();
+        let corners = [[0.0, 0.0], [30.0, 0.0], [30.0, 20.0], [2.0, 25.0]].map(DVec2::from);
+        for ends in corners.windows(2) {
+            let line = Line::new(ends[0], ends[1]).expect("a line");
+            let one = Move {
+                curve: MoveCurve::Line(line),
+                role: Role::Free,
+                rapid: false,
+                feed: Some(150.0),
+                plane: Plane::Xy,
+                heights: [0.0; 2],
+                origin: crate::diagnostic::Origin::Segment(0),
+            };
+            builder.push(&one, &mut track);
+        }
+        builder.finish(&mut track);
+        let mut course = Course::default();
+        for placed in track {
+            course.push(placed, &limits);
+        }
+        let (slow, factor) = slowly(&course, &limits);
+        assert!(factor.is_finite() && factor <= 1.0, "within the limits: {factor}");
+        let last = slow.last().expect("phases");
+        let end = last.at(last.duration)[0];
+        assert!((end - course.length).abs() < 1e-9, "to the end: {end} of {}", course.length);
+        assert!(length(&slow) > length(&law(&course, &limits)), "slower than what is sought");
+    }
 }
