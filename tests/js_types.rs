@@ -17,7 +17,7 @@ use g41::js::{
     transitions_json, uncut_json, violations_json,
 };
 use g41::motion::{Peak, Violations};
-use g41::program::{ContourEnd, ContourStart, ProgrammedContour, RadiusSource};
+use g41::program::{ContourEnd, ContourStart, OrientationSource, ProgrammedContour, RadiusSource};
 use glam::{DVec2, dvec2};
 
 const BLOCK: Origin = Origin::Block { line: 3, number: Some(20), column: Some(5) };
@@ -169,7 +169,7 @@ fn contours() -> Vec<ProgrammedContour> {
             radius,
             allowance: 0.0,
             unit: 1.0,
-            orientation: 0,
+            orientation: OrientationSource::Given(0),
             curves: Vec::new(),
             leads_in: false,
             begins: ContourStart::Anew,
