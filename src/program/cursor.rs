@@ -99,6 +99,11 @@ impl<'a> Cursor<'a> {
         true
     }
 
+    /// Letters, digits and `_`, as far as they go.
+    pub(super) fn identifier(&mut self) -> &'a str {
+        self.take_while(&|c: char| c.is_ascii_alphanumeric() || c == '_')
+    }
+
     /// The number that comes next: digits with points and, where `signed`, signs, as far as they
     /// go.
     pub(super) fn number(&mut self, signed: bool) -> Result<f64, NumberError> {

@@ -433,7 +433,7 @@ fn is_labelled(text: &str, label: &str) -> bool {
     let mut cursor = Cursor::new(text, 0);
     loop {
         cursor.peek();
-        let name = cursor.take_while(&|c: char| c.is_ascii_alphanumeric() || c == '_');
+        let name = cursor.identifier();
         let is_number = name.starts_with(['N', 'n'])
             && name.len() > 1
             && name.bytes().skip(1).all(|digit| digit.is_ascii_digit());

@@ -295,7 +295,7 @@ impl LineReader<'_> {
             _ => {
                 // Of a name it is said once that it is none.
                 self.cursor.set(from);
-                let name = self.name();
+                let name = self.cursor.identifier();
                 if name.len() > LONGEST_LETTERS {
                     return self.unknown_name(name, from);
                 }

@@ -26,10 +26,7 @@ const WITHOUT_EFFECT: &str = "FFWON FFWOF SOFT BRISK DRIVE COMPON COMPCURV COMPC
 /// What the numbers of instructions that add to a frame are larger by than those of others.
 const ADDS: f64 = 4.0;
 
-/// Smallest factor of a scale.
-const MIN_FACTOR: f64 = 1e-3;
-
-impl<'a> LineReader<'a> {
+impl LineReader<'_> {
     /// A name of two letters and more; false where there is none.
     pub(super) fn name_word(&mut self) -> bool {
         let from = self.cursor.at();
@@ -50,7 +47,7 @@ impl<'a> LineReader<'a> {
             self.block.comments.push(format!("(MSG,{shown})"));
             return true;
         }
-        let name = self.name();
+        let name = self.cursor.identifier();
         for (known, letter, value) in NAMES {
             if name.eq_ignore_ascii_case(known) {
                 self.push(letter, value, from);
@@ -70,7 +67,8 @@ impl<'a> LineReader<'a> {
             if name.eq_ignore_ascii_case(known) {
                 self.cursor.peek();
                 let column = self.cursor.column(from);
-                self.jump = Some((Destination::Label(self.name().to_owned(), search), column));
+                self.jump =
+                    Some((Destination::Label(self.cursor.identifier().to_owned(), search), column));
                 return true;
             }
         }
@@ -106,11 +104,6 @@ impl<'a> LineReader<'a> {
         }
         self.unknown_name(name, from);
         true
-    }
-
-    /// Letters, digits and `_`, as far as they go.
-    pub(super) fn name(&mut self) -> &'a str {
-        self.cursor.take_while(&|c: char| c.is_ascii_alphanumeric() || c == '_')
     }
 
     /// What stands behind `=`: a tool by its name, AC( ) and IC( ), or any expression.
@@ -203,10 +196,11 @@ impl Interpreter {
                 frame.rotation = Some((plane, DVec2::ZERO, turned + angle));
             }
             2.0 => {
-                for i in 0..3 {
-                    if given[i].is_some() && values[i].abs() >= MIN_FACTOR {
-                        frame.factors[i] *= values[i];
-                    }
+                for (i, word) in given.into_iter().enumerate() {
+                    frame.factors[i] *= word.map_or(1.0, |word| word.value);
+                }
+                if !self.is_usable_scale(block, word.column, frame.factors) {
+                    return;
                 }
             }
             _ => {

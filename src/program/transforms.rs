@@ -110,13 +110,18 @@ impl Interpreter {
             let at = block.origin_at(found.column);
             self.report.push(Diagnostic::info("scale-in-thousandths", message).with_origin(at));
         }
-        let usable = factors.abs().min_element() >= MIN_FACTOR;
-        if !usable || factors.abs().max_element() > MAX_COORDINATE {
-            let at = block.origin_at(word.column);
-            self.error("bad-scale", "the scale (G51) is no usable factor", at, "it has no effect");
-            return None;
+        self.is_usable_scale(block, word.column, factors).then_some(factors)
+    }
+
+    /// Whether coordinates divided by the factors stay numbers; told where not.
+    pub(super) fn is_usable_scale(&mut self, block: &Block, column: u32, factors: DVec3) -> bool {
+        let usable = factors.abs().min_element() >= MIN_FACTOR
+            && factors.abs().max_element() <= MAX_COORDINATE;
+        if !usable {
+            let at = block.origin_at(column);
+            self.error("bad-scale", "the scale is no usable factor", at, "it has no effect");
         }
-        Some(factors)
+        usable
     }
 }
 

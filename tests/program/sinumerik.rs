@@ -90,6 +90,7 @@ fn frames_take_the_place_of_others_or_add_to_them() {
     }
     let tilted = "G0 X0 Y0 Z0\nROT X30\nX1\nM30\n";
     assert_eq!(codes(tilted, Sinumerik), ["not-supported"], "out of the plane");
+    assert_eq!(codes("G0 X0 Y0 Z0\nSCALE X0\nX1\nM30\n", Sinumerik), ["bad-scale"], "no factor");
 }
 
 #[test]
