@@ -1,5 +1,6 @@
 //! What speed is planned on: pieces of a track from rest to rest.
 
+use crate::geometry::nth_root;
 use crate::motion::{Frame, Joint, Limits, Piece, Placed};
 
 /// Places on a curve where the speed that its bend allows is looked at.
@@ -195,7 +196,7 @@ fn even_speed(frame: &Frame, limits: &Limits) -> f64 {
         speed = chord.min((limits.acceleration / bend).sqrt());
     }
     if sharp > 1.0e-15 {
-        speed = speed.min((limits.jerk / sharp).cbrt());
+        speed = speed.min(nth_root(limits.jerk / sharp, 3));
     }
     speed
 }

@@ -2,6 +2,7 @@
 
 use super::course::Course;
 use super::law::{Phase, State, length, state_at};
+use crate::geometry::nth_root;
 use crate::motion::Limits;
 
 /// Time over which accelerations change, in units of what the jerk needs for the largest.
@@ -136,7 +137,7 @@ fn nodes(course: &Course, limits: &Limits, [from, speed]: [f64; 2]) -> Vec<Node>
     for place in &course.places {
         // From rest to rest over the length, by the jerk alone, the mean acceleration is about this.
         let half = (0.5 * place.length).max(0.3);
-        let mean = 0.5 * (limits.jerk * limits.jerk * half).cbrt();
+        let mean = 0.5 * nth_root(limits.jerk * limits.jerk * half, 3);
         let acceleration = mean.min(GENTLE * limits.acceleration);
         let node = [place.s, place.speed * place.speed, acceleration, place.cap];
         if place.s > from || nodes.is_empty() {

@@ -23,6 +23,7 @@ use super::banded;
 use super::equations::Work;
 use super::limit::{DRAWN, Limit, weight_of, widen};
 use super::spline::Basis;
+use crate::geometry::nth_root;
 
 /// The path at a knot. Each interval of the spline `b` has one at its start and one half-way.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -226,7 +227,7 @@ impl<'a> Retiming<'a> {
                 least = least.min(match self.kind(index % self.count()) {
                     0 => 1.0 / g,
                     1 => 1.0 / g.sqrt(),
-                    2 => 1.0 / g.cbrt(),
+                    2 => 1.0 / nth_root(g, 3),
                     _ => 1.0 / g.sqrt().sqrt(),
                 });
             }

@@ -8,6 +8,7 @@
 use super::course::Course;
 use super::law::Phase;
 use super::ramp::{Rates, cruise};
+use crate::geometry::nth_root;
 use crate::motion::{Frame, Limits, Piece};
 
 /// The law of a run from rest to rest.
@@ -48,7 +49,7 @@ fn speed(frame: &Frame, limits: &Limits) -> f64 {
     let gap = limits.chord_error.min(radius);
     // 1/κ² − (1/κ − γ)² = γ (2/κ − γ).
     let chord = 2.0 / limits.period * (gap * (2.0 * radius - gap)).sqrt();
-    let jerk = (limits.jerk * radius * radius).cbrt();
+    let jerk = nth_root(limits.jerk * radius * radius, 3);
     limits.velocity.min(chord).min((limits.acceleration * radius).sqrt()).min(jerk)
 }
 

@@ -7,6 +7,7 @@ use glam::DVec3;
 use super::course::{Course, across};
 use super::law::Phase;
 use super::retime::Bounds;
+use crate::geometry::nth_root;
 use crate::motion::Limits;
 
 /// Places per phase.
@@ -27,7 +28,7 @@ pub(super) fn factor([a, j, s, v]: &[f64; 4]) -> f64 {
     if a.max(*j).max(*s).max(*v) < HOLDS && (a + j + s + v).is_finite() {
         return 0.0;
     }
-    let factor = v.max(a.sqrt()).max(j.cbrt()).max(s.sqrt().sqrt());
+    let factor = v.max(a.sqrt()).max(nth_root(*j, 3)).max(s.sqrt().sqrt());
     if (a + j + s + v).is_finite() { factor } else { f64::INFINITY }
 }
 
