@@ -9,39 +9,33 @@ pub(super) type Rows = Vec<[f64; WIDTH + 1]>;
 /// Solves in place: `rows` becomes the factor, `right` the solution. `false` where a pivot is not
 /// positive.
 pub(super) fn solve(rows: &mut [[f64; WIDTH + 1]], right: &mut [f64]) -> bool {
-    // Cholesky's rule, row by row: L L' = A.
-    for i in 0..rows.len() {
-        let reach = i.min(WIDTH);
-        let mut sum_right = right[i];
-        for d in (0..=reach).rev() {
-            let column = i - d;
-            let mut sum = rows[i][d];
-            for e in d + 1..=reach {
-                // Entries (i, i - e) and (column, i - e).
-                if e - d <= WIDTH {
-                    sum -= rows[i][e] * rows[column][e - d];
-                }
-            }
-            if d == 0 {
-                if sum <= 0.0 || !sum.is_finite() {
-                    return false;
-                }
-                rows[i][0] = 1.0 / sum.sqrt();
-            } else {
-                rows[i][d] = sum * rows[column][0];
-                sum_right -= rows[i][d] * right[column];
-            }
+    // Cholesky's rule, row by row: L L' = A, with the diagonal inverted. Of the three rows before the
+    // first one the diagonals are 0, which takes out what is outside.
+    let (mut a, mut b, mut c) = ([0.0; WIDTH + 1], [0.0; WIDTH + 1], [0.0; WIDTH + 1]);
+    let (mut ya, mut yb, mut yc) = (0.0, 0.0, 0.0);
+    for (row, right) in rows.iter_mut().zip(right.iter_mut()) {
+        let [diagonal, first, second, third] = *row;
+        let third = third * c[0];
+        let second = (second - third * b[1]) * b[0];
+        let first = (first - third * a[2] - second * a[1]) * a[0];
+        let pivot = diagonal - first * first - second * second - third * third;
+        if pivot <= 0.0 || !pivot.is_finite() {
+            return false;
         }
-        right[i] = sum_right * rows[i][0];
+        let inverse = 1.0 / pivot.sqrt();
+        let y = (*right - first * ya - second * yb - third * yc) * inverse;
+        *row = [inverse, first, second, third];
+        *right = y;
+        (a, b, c) = (*row, a, b);
+        (ya, yb, yc) = (y, ya, yb);
     }
-    for i in (0..rows.len()).rev() {
-        let mut sum = right[i];
-        for d in 1..=WIDTH {
-            if i + d < rows.len() {
-                sum -= rows[i + d][d] * right[i + d];
-            }
-        }
-        right[i] = sum * rows[i][0];
+    // The same backwards, of which the rows behind have no part in what is before them.
+    (a, b, c) = ([0.0; WIDTH + 1], [0.0; WIDTH + 1], [0.0; WIDTH + 1]);
+    for (row, right) in rows.iter().zip(right.iter_mut()).rev() {
+        let x = (*right - a[1] * ya - b[2] * yb - c[3] * yc) * row[0];
+        *right = x;
+        (a, b, c) = (*row, a, b);
+        (ya, yb, yc) = (x, ya, yb);
     }
     true
 }

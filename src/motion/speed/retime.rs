@@ -42,9 +42,10 @@ pub(super) struct Knot {
 /// What the rates are held to.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Bounds {
-    /// By what acceleration and jerk are multiplied, component by component, to have size 1 at their
-    /// limits: for the vector, and for each axis that has limits.
-    pub(super) scales: Vec<[DVec3; 2]>,
+    /// By what acceleration is multiplied, component by component, to have size 1 at its limit, and
+    /// the square of what jerk is multiplied by beyond that: for the vector, and for each axis that has
+    /// limits.
+    pub(super) scales: Vec<(DVec3, f64)>,
     /// Largest change of the jerk vector in time [mm/s⁴].
     pub(super) snap: f64,
 }
@@ -91,12 +92,11 @@ pub(super) struct Retiming<'a> {
     tied: [bool; 2],
 }
 
-/// `b` and its root at a knot, and acceleration and jerk, the latter over the root.
+/// `b`, `b'/2`, `b''/2` and the root of `b` at a knot, and the jerk over that.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rates {
-    pub(super) b: f64,
+    pub(super) b: [f64; 3],
     pub(super) root: f64,
-    pub(super) acceleration: DVec3,
     pub(super) jerk: DVec3,
 }
 
@@ -122,23 +122,22 @@ impl<'a> Retiming<'a> {
         (if k + 1 == self.knots.len() { k / 2 - 1 } else { k / 2 }, &self.basis[k])
     }
 
-    /// `b`, `b'` and `b''` at a knot.
+    /// `b`, `b'/2` and `b''/2` at a knot.
     pub(super) fn at(&self, c: &[f64], k: usize) -> [f64; 3] {
         let (first, basis) = self.basis(k);
-        let c = &c[first..first + 4];
-        let dot = |row: &[f64; 4]| row[0] * c[0] + row[1] * c[1] + row[2] * c[2] + row[3] * c[3];
-        [dot(&basis[0]), dot(&basis[1]), dot(&basis[2])]
+        let (mut b, mut slope, mut bend) = (0.0, 0.0, 0.0);
+        for (c, row) in c[first..].iter().zip(basis) {
+            b += c * row[0];
+            slope += c * row[1];
+            bend += c * row[2];
+        }
+        [b, slope, bend]
     }
 
-    fn rates(&self, c: &[f64], k: usize) -> Rates {
-        let [b, slope, bend] = self.at(c, k);
-        let [first, second, third] = self.knots[k].path;
-        Rates {
-            b,
-            root: b.max(0.0).sqrt(),
-            acceleration: second * b + first * (0.5 * slope),
-            jerk: third * b + second * (1.5 * slope) + first * (0.5 * bend),
-        }
+    /// What the square of the change of jerk to the next knot is multiplied by to be 1 at its limit.
+    pub(super) fn strictness(&self, knot: &Knot) -> f64 {
+        let per = self.bounds.snap * knot.step;
+        knot.strict[2] / (per * per)
     }
 
     /// How many limits there are at a knot: of the velocity, of acceleration and jerk in turns, and of
@@ -160,26 +159,35 @@ impl<'a> Retiming<'a> {
     fn evaluate(&self, c: &[f64], range: &Range<usize>, found: &mut Found) {
         let count = self.count();
         let end = (range.end + 1).min(self.knots.len());
+        let (mut last, mut last_jerk) = (0.0, DVec3::ZERO);
+        let scales = &self.bounds.scales;
         for k in range.start..end {
-            found.rates[k] = self.rates(c, k);
-        }
-        for k in range.clone() {
             let knot = &self.knots[k];
-            let [strict_a, strict_j, strict_s] = knot.strict;
-            let rates = &found.rates[k];
-            let limits = &mut found.limits[k * count..(k + 1) * count];
-            limits[0].value = rates.b / knot.most;
-            let mut index = 1;
-            for [a, j] in &self.bounds.scales {
-                limits[index].value = (rates.acceleration * *a).length_squared() * strict_a;
-                limits[index + 1].value = rates.b * (rates.jerk * *j).length_squared() * strict_j;
-                index += 2;
+            let [tangent, second, third] = knot.path;
+            let [b, h, e] = self.at(c, k);
+            let root = if b > 0.0 { b.sqrt() } else { 0.0 };
+            let over = third * b + second * (3.0 * h) + tangent * e;
+            found.rates[k] = Rates { b: [b, h, e], root, jerk: over };
+            let jerk = over * root;
+            if k > range.start {
+                let size = (jerk - last_jerk).length_squared();
+                found.limits[k * count - 1].value =
+                    0.5 * (last + b) * size * self.strictness(&self.knots[k - 1]);
             }
-            if let Some(next) = found.rates.get(k + 1) {
-                let change = next.jerk * next.root - rates.jerk * rates.root;
-                let per = self.bounds.snap * knot.step;
-                let size = change.length_squared() / (per * per);
-                limits[index].value = 0.5 * (rates.b + next.b) * size * strict_s;
+            (last, last_jerk) = (b, jerk);
+            if k == range.end {
+                break;
+            }
+            let limits = &mut found.limits[k * count..(k + 1) * count];
+            limits[0].value = b / knot.most;
+            for (n, (_, ratio)) in scales.iter().enumerate() {
+                let [tt, st, ss, ut, us, uu] = found.products[k * scales.len() + n];
+                limits[2 * n + 1].value =
+                    (b * (ss * b + 2.0 * st * h) + tt * h * h) * knot.strict[0];
+                let square = b * (uu * b + 6.0 * us * h + 2.0 * ut * e)
+                    + h * (9.0 * ss * h + 6.0 * st * e)
+                    + tt * e * e;
+                limits[2 * n + 2].value = b * square * knot.strict[1] * ratio;
             }
         }
     }
@@ -195,7 +203,7 @@ impl<'a> Retiming<'a> {
         let mut products = [1.0_f64; 2];
         for k in range.clone() {
             let rates = &found.rates[k];
-            if rates.b <= 0.0 {
+            if rates.b[0] <= 0.0 {
                 return f64::INFINITY;
             }
             merit += self.knots[k].share / rates.root;
@@ -237,10 +245,17 @@ impl<'a> Retiming<'a> {
 
     /// What is to be known at the knots.
     pub(super) fn begin(&self) -> Found {
-        let rates = Rates { b: 0.0, root: 0.0, acceleration: DVec3::ZERO, jerk: DVec3::ZERO };
+        let rates = Rates { b: [0.0; 3], root: 0.0, jerk: DVec3::ZERO };
         let limit = Limit { value: 0.0, slack: f64::INFINITY, price: 0.0 };
         let n = self.knots.len();
-        Found { rates: vec![rates; n], limits: vec![limit; n * self.count()] }
+        let mut products = Vec::with_capacity(n * self.bounds.scales.len());
+        for knot in self.knots {
+            for (scale, _) in &self.bounds.scales {
+                let [t, s, u] = knot.path.map(|derivative| derivative * *scale);
+                products.push([t.dot(t), s.dot(t), s.dot(s), u.dot(t), u.dot(s), u.dot(u)]);
+            }
+        }
+        Found { rates: vec![rates; n], limits: vec![limit; n * self.count()], products }
     }
 
     /// Improves the free ones of the coefficients of `b`: where the weight is to fall from a larger one,
@@ -360,11 +375,12 @@ impl<'a> Retiming<'a> {
         for k in range.clone() {
             let (first, basis) = self.basis(k);
             let mut change = 0.0;
-            for i in 0..4 {
-                change += basis[0][i] * right[first - base + i];
+            for (right, row) in right[first - base..].iter().zip(basis) {
+                change += row[0] * right;
             }
-            if change < 0.0 {
-                size = size.min(-TAKEN * found.rates[k].b / change);
+            let most = TAKEN * found.rates[k].b[0];
+            if size * change < -most {
+                size = -most / change;
             }
         }
         for i in inner {
@@ -407,7 +423,7 @@ impl<'a> Retiming<'a> {
                 now = self.merit(c, &range, found, weight);
             }
             self.assemble(c, &range, found, [weight, weight.max(DRAWN)], work);
-            let Work { rows, right, old, gradient, was } = work;
+            let Work { rows, right, old, gradient, was, .. } = work;
             gradient.clone_from(right);
             if !banded::solve(&mut rows[inner.clone()], &mut right[inner.clone()]) {
                 return false;
@@ -469,6 +485,9 @@ impl<'a> Retiming<'a> {
 #[derive(Debug, Clone)]
 pub(super) struct Found {
     pub(super) rates: Vec<Rates>,
+    /// The products of the derivatives of the path, for each scale: those of the first, the second and
+    /// the third with each up to itself, of which the squares of acceleration and jerk are made.
+    pub(super) products: Vec<[f64; 6]>,
     /// As many for each knot: of velocity, acceleration and jerk in turns, and snap to the next knot.
     pub(super) limits: Vec<Limit>,
 }

@@ -131,10 +131,12 @@ fn along_line(course: &Course, limits: &Limits) -> Option<Vec<Phase>> {
 
 fn bounds(limits: &Limits) -> Bounds {
     let even = DVec3::ONE;
-    let mut scales = vec![[even / limits.acceleration, even / limits.jerk]];
+    let ratio = limits.acceleration / limits.jerk;
+    let mut scales = vec![(even / limits.acceleration, ratio * ratio)];
     if let Some(axes) = &limits.axes {
         for (axis, unit) in [DVec3::X, DVec3::Y, DVec3::Z].into_iter().enumerate() {
-            scales.push([unit / axes.acceleration[axis], unit / axes.jerk[axis]]);
+            let ratio = axes.acceleration[axis] / axes.jerk[axis];
+            scales.push((unit / axes.acceleration[axis], ratio * ratio));
         }
     }
     Bounds { scales, snap: BETWEEN * limits.snap() }
@@ -279,8 +281,8 @@ impl<'a> Stage<'a> {
             let [b, slope, bend] = now;
             let [s, v, a, j] = self.states[k];
             let root = b.sqrt();
-            let jerk = root * (j * b + 1.5 * a * slope + 0.5 * v * bend);
-            ([s, v * root, a * b + 0.5 * v * slope, jerk], now)
+            let jerk = root * (j * b + 3.0 * a * slope + v * bend);
+            ([s, v * root, a * b + v * slope, jerk], now)
         };
         let mut last = state(range.start);
         for k in range {
@@ -431,8 +433,8 @@ fn time([from, out, _]: [f64; 3], [to, on, _]: [f64; 3], step: f64) -> f64 {
     for (place, weight) in rule {
         let x = place;
         let y = 1.0 - x;
-        let b = y * y * ((1.0 + 2.0 * x) * from + x * step * out)
-            + x * x * ((1.0 + 2.0 * y) * to - y * step * on);
+        let b = y * y * ((1.0 + 2.0 * x) * from + 2.0 * x * step * out)
+            + x * x * ((1.0 + 2.0 * y) * to - 2.0 * y * step * on);
         time += weight * step / b.sqrt();
     }
     time

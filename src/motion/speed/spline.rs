@@ -1,7 +1,8 @@
 //! Cubic splines whose intervals differ, at their borders and half-way between them.
 
-/// Values, slopes and second derivatives of the four B-splines that are not zero at a knot.
-pub(super) type Basis = [[f64; 4]; 3];
+/// The values, and halves of the slopes and second derivatives, of the four B-splines that are not zero
+/// at a knot.
+pub(super) type Basis = [[f64; 3]; 4];
 
 /// The basis at each knot of a spline: at the borders of its intervals [s], and half-way.
 pub(super) fn bases(borders: &[f64]) -> Vec<Basis> {
@@ -30,7 +31,8 @@ pub(super) fn bases(borders: &[f64]) -> Vec<Basis> {
 /// which the last steps give the derivatives (each is the difference of two of one degree less).
 fn basis(t: &[f64; 6], u: f64) -> Basis {
     let mut values = [0.0, 0.0, 0.0, 1.0];
-    let mut found = [[0.0; 4]; 3];
+    let mut found = [[0.0; 3]; 4];
+    let mut squares = [0.0; 4];
     for degree in 1..4 {
         let mut next = [0.0; 4];
         let mut slopes = [0.0; 4];
@@ -49,21 +51,19 @@ fn basis(t: &[f64; 6], u: f64) -> Basis {
                 part(values[i + 1], i, false);
             }
         }
-        if degree == 3 {
-            found[1] = slopes;
-        }
         if degree == 2 {
-            // The slopes of the squares, of which the second derivatives are differences.
-            found[2] = slopes;
+            squares = slopes;
         }
         values = next;
+        for i in 0..4 {
+            found[i] = [values[i], 0.5 * slopes[i], 0.0];
+        }
     }
-    found[0] = values;
-    let squares = found[2];
+    // Of the slopes of the squares the second derivatives are differences.
     for i in 0..4 {
         let rise = if i > 0 { squares[i] / (t[i + 2] - t[i - 1]) } else { 0.0 };
         let fall = if i < 3 { squares[i + 1] / (t[i + 3] - t[i]) } else { 0.0 };
-        found[2][i] = 3.0 * (rise - fall);
+        found[i][2] = 1.5 * (rise - fall);
     }
     found
 }
@@ -90,12 +90,14 @@ mod tests {
             };
             // Marsden's identity: the coefficients of 1, u and u² are symmetric means of the borders.
             let mut found = [[0.0; 3]; 3];
-            for i in 0..4 {
+            for (i, row) in basis.iter().enumerate() {
                 let [a, b, c] = [0, 1, 2].map(|j| beyond(first + i + j));
                 let sums = [1.0, (a + b + c) / 3.0, (a * b + b * c + c * a) / 3.0];
                 for (found, sum) in found.iter_mut().zip(sums) {
-                    for (found, row) in found.iter_mut().zip(basis) {
-                        *found += row[i] * sum;
+                    for (found, (value, times)) in
+                        found.iter_mut().zip(row.iter().zip([1.0, 2.0, 2.0]))
+                    {
+                        *found += value * times * sum;
                     }
                 }
             }

@@ -17,7 +17,7 @@ const PLACES: usize = 4;
 pub(super) const BETWEEN: f64 = 0.95;
 
 /// What of a limit is well within it.
-const HOLDS: f64 = 0.99;
+const HOLDS: f64 = 0.9995;
 
 /// Halvings of a step that find the border of two pieces.
 const HALVINGS: u32 = 12;
@@ -25,7 +25,7 @@ const HALVINGS: u32 = 12;
 /// The factor on time that puts a phase right: acceleration, jerk, snap and velocity over their limits
 /// go with its powers. Where all are well within them it is 0.
 pub(super) fn factor([a, j, s, v]: &[f64; 4]) -> f64 {
-    if a.max(*j).max(*s).max(*v) < HOLDS && (a + j + s + v).is_finite() {
+    if *a < HOLDS && *j < HOLDS && *s < HOLDS && *v < HOLDS {
         return 0.0;
     }
     let factor = v.max(a.sqrt()).max(nth_root(*j, 3)).max(s.sqrt().sqrt());
@@ -64,20 +64,20 @@ pub(super) fn verify(
             let acceleration = frame.tangent * a + frame.curvature * (v * v);
             let jerk =
                 frame.tangent * j + frame.curvature * (3.0 * v * a) + frame.sharpness * (v * v * v);
-            for [by_a, by_j] in &bounds.scales {
-                worst[0] = worst[0].max((acceleration * *by_a).length());
-                worst[1] = worst[1].max((jerk * *by_j).length());
+            for (scale, ratio) in &bounds.scales {
+                raise(&mut worst[0], (acceleration * *scale).length());
+                raise(&mut worst[1], ((jerk * *scale).length_squared() * ratio).sqrt());
             }
             let (cap, _) = course.between(s, s, at, limits);
             let mut over = v * frame.tangent.length() / cap;
             if let Some(axes) = &limits.axes {
                 for axis in 0..3 {
-                    over = over.max(v * frame.tangent[axis].abs() / axes.velocity[axis]);
+                    raise(&mut over, v * frame.tangent[axis].abs() / axes.velocity[axis]);
                 }
             }
             let chord = across(&frame) / (8.0 * limits.chord_error);
-            over = over.max(v * limits.period * chord.sqrt());
-            worst[3] = worst[3].max(over);
+            raise(&mut over, v * limits.period * chord.sqrt());
+            raise(&mut worst[3], over);
             if !(v + a + j).is_finite() || v < -1.0e-6 {
                 worst[3] = f64::INFINITY;
             }
@@ -95,7 +95,7 @@ pub(super) fn verify(
                 old = old.lerp(following, (back - then) / (next - then));
             }
             let most = bounds.snap * limits.period;
-            worst[2] = worst[2].max((jerk - old).length() / most);
+            raise(&mut worst[2], (jerk - old).length() / most);
             if oldest > 1000 {
                 before.drain(..oldest);
                 oldest = 0;
@@ -105,6 +105,13 @@ pub(super) fn verify(
         if k >= range.start {
             excess[k] = worst;
         }
+    }
+}
+
+/// Makes a value at least another one.
+fn raise(value: &mut f64, other: f64) {
+    if other > *value {
+        *value = other;
     }
 }
 
