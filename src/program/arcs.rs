@@ -31,13 +31,20 @@ impl Interpreter {
         clockwise: bool,
         involute: bool,
     ) {
+        let plane = self.modal.plane;
+        let about_pole = words.has_any("jq") && !words.has_any("IJKR");
         let Some((axes, mut to)) = self.target(block, words, "IJKR") else { return };
-        let clockwise = clockwise != self.modal.frame.flips(self.modal.plane);
+        let clockwise = clockwise != self.modal.frame.flips(plane);
         let by_angle =
             words.take('a').and_then(|word| self.arc_by_angle(word, words, &mut to, clockwise));
         let attributes = self.attributes(block, false, to);
         let (turns, shape) = if by_angle.is_some() {
             (self.turns(block, words), by_angle)
+        } else if about_pole {
+            let pole = self.modal.frame.map(plane.place(self.modal.polar.pole, 0.0));
+            let (to, center) = (plane.split(to).0, plane.split(pole).0);
+            let shape = self.even_factor(block).map(|_| Shape::Arc { to, center, clockwise });
+            (self.turns(block, words), shape)
         } else if involute {
             (1, self.involute_shape(block, words, &axes, to, clockwise))
         } else {

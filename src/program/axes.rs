@@ -44,6 +44,7 @@ impl Interpreter {
         }
         self.polar(&mut axes, &mut to);
         self.polar_words(block, words, &mut axes, &mut to);
+        self.about_pole(words, &mut axes, &mut to);
         let Some(first) = axes.first() else {
             return words.has_any(others).then_some((axes, position));
         };

@@ -66,7 +66,7 @@ impl Interpreter {
             (4600 | 600, ControlWords::Sinumerik) => {}
             (250 | 260, ControlWords::Sinumerik) => words.take_all("SXYZ"),
             (1100 | 1110 | 1120, ControlWords::Sinumerik) => {
-                self.not_supported(block, word.column, "a pole (G110 to G112)");
+                self.pole(number, words);
                 demands.no_move = true;
             }
             (4610 | 4620, ControlWords::Sinumerik) => {

@@ -6,7 +6,6 @@
 use glam::DVec3;
 
 use super::arcs::CENTER;
-use super::auxiliary::word as text_of;
 use super::axes::Axes;
 use super::block::{Block, Word};
 use super::coordinates::AXES;
@@ -44,14 +43,14 @@ pub(super) struct CycleNumbers {
 }
 
 /// One hole: points and heights as programmed [mm].
-struct Hole<'a> {
-    block: &'a Block,
+pub(super) struct Hole<'a> {
+    pub(super) block: &'a Block,
     /// Where it is; its height does not count.
-    at: DVec3,
-    retract: f64,
-    bottom: f64,
+    pub(super) at: DVec3,
+    pub(super) retract: f64,
+    pub(super) bottom: f64,
     /// The height at which it is left.
-    clear: f64,
+    pub(super) clear: f64,
 }
 
 impl CycleNumbers {
@@ -422,9 +421,7 @@ impl Interpreter {
     }
 
     fn pause(&mut self, hole: &Hole) {
-        if let Some(seconds) = self.modal.cycle.dwell.filter(|seconds| *seconds > 0.0) {
-            self.say(hole, &format!("G4 {}", text_of('P', seconds)));
-        }
+        self.wait(hole, self.modal.cycle.dwell);
     }
 
     /// Lets the spindle turn as before.
@@ -434,16 +431,23 @@ impl Interpreter {
         }
     }
 
-    fn say(&mut self, hole: &Hole, words: &str) {
+    pub(super) fn say(&mut self, hole: &Hole, words: &str) {
         self.course.words(words.into(), hole.block.origin());
     }
 
-    fn go(&mut self, hole: &Hole, height: f64, rapid: bool) {
+    pub(super) fn go(&mut self, hole: &Hole, height: f64, rapid: bool) {
         self.cycle_to(hole.block, &Axes::default(), hole.at, height, rapid);
     }
 
     /// A straight move to a point and a height as programmed [mm].
-    fn cycle_to(&mut self, block: &Block, axes: &Axes, at: DVec3, height: f64, rapid: bool) {
+    pub(super) fn cycle_to(
+        &mut self,
+        block: &Block,
+        axes: &Axes,
+        at: DVec3,
+        height: f64,
+        rapid: bool,
+    ) {
         let mut to = at;
         to[self.modal.plane.axes()[2]] = height;
         let to = self.modal.frame.map(to);

@@ -18,7 +18,7 @@ pub enum Dialect {
 }
 
 /// What only one dialect has, in capitals and without space.
-const SIGNS: [(&str, Dialect); 26] = [
+const SIGNS: [(&str, Dialect); 32] = [
     ("#<", Dialect::LinuxCnc),
     ("EXISTS[", Dialect::LinuxCnc),
     ("GOTOF", Dialect::Sinumerik),
@@ -45,6 +45,12 @@ const SIGNS: [(&str, Dialect); 26] = [
     ("ROTZ", Dialect::Sinumerik),
     ("MIRROR", Dialect::Sinumerik),
     ("FFWON", Dialect::Sinumerik),
+    ("DEFREAL", Dialect::Sinumerik),
+    ("DEFINT", Dialect::Sinumerik),
+    ("ENDLOOP", Dialect::Sinumerik),
+    ("ENDFOR", Dialect::Sinumerik),
+    ("MCALL", Dialect::Sinumerik),
+    ("G111X", Dialect::Sinumerik),
 ];
 
 impl Dialect {

@@ -21,15 +21,15 @@ pub(super) struct Fault {
     pub(super) at: usize,
 }
 
-type Value = Result<f64, Fault>;
+pub(super) type Value = Result<f64, Fault>;
 
-fn fault<T>((code, message): Impossible, at: usize) -> Result<T, Fault> {
+pub(super) fn fault<T>((code, message): Impossible, at: usize) -> Result<T, Fault> {
     Err(Fault { code, message, at })
 }
 
 const NOT_FINITE: Impossible = ("no-number", "the result is no number");
-const NO_NUMBER: Impossible = ("bad-expression", "a number is missing");
-const NO_BRACKET: Impossible = ("bad-expression", "a closing bracket is missing");
+pub(super) const NO_NUMBER: Impossible = ("bad-expression", "a number is missing");
+pub(super) const NO_BRACKET: Impossible = ("bad-expression", "a closing bracket is missing");
 const NO_PARAMETER: Impossible = ("bad-parameter", "there is no such parameter");
 
 impl LineReader<'_> {
@@ -58,15 +58,14 @@ impl LineReader<'_> {
                 Err(NumberError::TooLarge) => fault(("number-too-large", "it is beyond 1e9"), at),
                 Err(_) => fault(("garbled-number", "it is no number"), at),
             },
-            b'R' if self.parentheses() => {
-                self.cursor.skip();
-                match self.cursor.digits() {
-                    Some(number) => self.parameter(&Target::Number(number), at),
-                    None => fault(NO_PARAMETER, at),
-                }
+            b'N' if self.parentheses() && self.cursor.eat_all("NOT") => {
+                self.value().map(|value| f64::from(u8::from(value == 0.0)))
             }
             _ => match self.function_name() {
                 Some(function) => self.function(function, at),
+                None if self.parentheses() => {
+                    self.variable().and_then(|target| self.parameter(&target, at))
+                }
                 None => fault(NO_NUMBER, at),
             },
         };
@@ -75,7 +74,7 @@ impl LineReader<'_> {
     }
 
     /// Whether parentheses group instead of opening a comment.
-    fn parentheses(&self) -> bool {
+    pub(super) fn parentheses(&self) -> bool {
         self.dialect == Dialect::Sinumerik
     }
 
@@ -193,12 +192,9 @@ impl LineReader<'_> {
             return fault(("bad-expression", "EXISTS asks for a parameter"), at);
         }
         let known = match self.target()? {
-            Target::Name(name) => self
-                .parameters
-                .name(&name)
-                .or_else(|| self.interpreter.system_name(&name))
-                .is_some(),
+            Target::Name(name) => self.named(&name).is_some(),
             Target::Number(number) => (1..=LAST_OF_NGC).contains(&number),
+            Target::Whole(_) => false,
         };
         self.close()?;
         Ok(f64::from(u8::from(known)))
@@ -231,16 +227,21 @@ impl LineReader<'_> {
         Ok(Target::Number(whole as u32))
     }
 
+    /// The value of a parameter with a name, if there is one.
+    fn named(&self, name: &str) -> Option<f64> {
+        // An element that was never set is 0, as its field is.
+        let field = || name.split_once('[').and_then(|(field, _)| self.parameters.name(field));
+        self.parameters.name(name).or_else(field).or_else(|| self.interpreter.system_name(name))
+    }
+
     /// The value of a parameter.
-    fn parameter(&mut self, target: &Target, at: usize) -> Value {
+    pub(super) fn parameter(&mut self, target: &Target, at: usize) -> Value {
         let unknown = ("unknown-parameter", "only the machine knows this parameter");
         let value = match target {
-            Target::Name(name) => {
-                match self.parameters.name(name).or_else(|| self.interpreter.system_name(name)) {
-                    Some(value) => value,
-                    None => return fault(("unset-parameter", "the parameter was never set"), at),
-                }
-            }
+            Target::Name(name) | Target::Whole(name) => match self.named(name) {
+                Some(value) => value,
+                None => return fault(("unset-parameter", "the parameter was never set"), at),
+            },
             Target::Number(number) if is_system(*number, self.dialect) => {
                 match self.interpreter.system_number(*number, self.dialect) {
                     Some(value) => value,

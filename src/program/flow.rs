@@ -22,6 +22,13 @@ pub(super) enum Destination {
     Number(f64),
     /// SINUMERIK's block with a label, or a number behind N.
     Label(String, Search),
+    /// SINUMERIK's subprogram, and where its arguments begin [bytes].
+    Program(String, usize),
+    /// SINUMERIK's section of the program between labels, the last included, once more; without one
+    /// the block of the first where it `is_block`, else up to here.
+    Section { labels: [String; 2], is_block: bool, times: u32 },
+    /// Back from SINUMERIK's subprogram.
+    Return,
 }
 
 /// Where the block is looked for.
@@ -43,8 +50,12 @@ impl Runner {
     /// Runs a line that is a mark of the outline.
     pub(super) fn flow(&mut self, outline: &Outline, here: Place, text: &str) {
         let Some(&mark) = outline.marks.get(here.mark) else { return };
-        let has_condition = matches!(mark.step, Step::If | Step::ElseIf | Step::While)
-            || mark.step == Step::LoopStart && mark.after != usize::MAX;
+        if matches!(mark.step, Step::For | Step::EndFor) {
+            return self.count_loop(outline, here);
+        }
+        let has_condition =
+            matches!(mark.step, Step::If | Step::ElseIf | Step::While | Step::Until)
+                || mark.step == Step::LoopStart && mark.after != usize::MAX;
         // A branch that is reached from above ends the condition, whatever it would ask.
         let asks = has_condition && mark.step != Step::ElseIf;
         let Some(Arguments { holds, value, locals }) = self.arguments_of(outline, here, text, asks)
@@ -78,7 +89,8 @@ impl Runner {
             Step::While | Step::LoopStart if has_condition && !holds => {
                 self.jump_behind(outline, partner);
             }
-            Step::EndWhile | Step::LoopEnd => self.jump_to(outline, partner),
+            Step::Until if holds => {}
+            Step::EndWhile | Step::LoopEnd | Step::Until => self.jump_to(outline, partner),
             Step::Repeat => {
                 let times = value.unwrap_or(0.0).round().min(MOST_TIMES);
                 if times >= 1.0 && partner.is_some() {
@@ -116,8 +128,15 @@ impl Runner {
                 let message = "the O word says nothing that is known";
                 self.interpreter.error("unknown-flow", message, origin, hint);
             }
-            // Conditions that hold, and beginnings that ask nothing.
-            Step::If | Step::EndIf | Step::While | Step::Do | Step::LoopStart | Step::Program => {}
+            // Conditions that hold, beginnings that ask nothing, and what counts for itself.
+            Step::For
+            | Step::EndFor
+            | Step::If
+            | Step::EndIf
+            | Step::While
+            | Step::Do
+            | Step::LoopStart
+            | Step::Program => {}
         }
     }
 
@@ -245,16 +264,20 @@ impl Runner {
         self.count_labels(looked_at);
         let start = found.and_then(|index| behind(outline, index));
         let Some(start) = start else {
-            let message =
-                format!("the subprogram {} is not in the text", super::lexer::quote(label));
-            let hint = "the call is left out; put the subprogram into the text";
-            let origin = self.block.origin_at(1);
-            self.interpreter.error("missing-subprogram", message, origin, hint);
-            return;
+            let label = super::lexer::quote(label);
+            return self.no_subprogram(&label, 1);
         };
         if self.enter(start, 1, Some((arguments, ARGUMENTS)), true) {
             self.set_returned(0.0, 0.0);
         }
+    }
+
+    /// A subprogram is called that the text does not have.
+    pub(super) fn no_subprogram(&mut self, name: &str, column: u32) {
+        let message = format!("the subprogram {name} is not in the text");
+        let hint = "the call is left out; put the subprogram into the text";
+        let origin = self.block.origin_at(column);
+        self.interpreter.error("missing-subprogram", message, origin, hint);
     }
 
     /// Looking for a label takes time, too.
@@ -278,7 +301,17 @@ impl Runner {
         let arguments = arguments.filter(|_| times > 1).map(|(locals, _)| Box::new(*locals));
         let further = times.saturating_sub(1);
         let back = self.place;
-        self.frames.push(Frame { back, start, further, saved, arguments, is_sub, is_modal: false });
+        let until = 0;
+        self.frames.push(Frame {
+            back,
+            start,
+            further,
+            saved,
+            arguments,
+            is_sub,
+            is_modal: false,
+            until,
+        });
         self.place = start;
         true
     }
@@ -370,39 +403,29 @@ impl Runner {
     }
 
     /// GOTO: on to another block.
-    pub(super) fn go_to(&mut self, outline: &Outline, to: &Destination, column: u32) {
+    pub(super) fn go_to(&mut self, outline: &Outline, to: Destination, column: u32, text: &str) {
         let found = match to {
-            Destination::Number(number) => self.find_block(outline, *number),
-            Destination::Label(label, search) => self.find_label(outline, label, *search),
+            Destination::Number(number) => self.find_block(outline, number),
+            Destination::Label(label, search) => self.find_label(outline, &label, search),
+            Destination::Program(name, at) => {
+                return self.call_named(outline, &name, Cursor::new(text, at), column);
+            }
+            Destination::Section { labels, is_block, times } => {
+                match self.find_section(outline, &labels, is_block) {
+                    Some((start, until)) => return self.repeat_section(start, until, times),
+                    None => None,
+                }
+            }
+            Destination::Return => return self.return_named(),
         };
         if let Some(place) = found {
             self.place = place;
             return;
         }
-        let message = "GOTO leads to a block that the program does not have";
+        let message = "the program has no block with this number or label";
         let origin = self.block.origin_at(column);
         let hint = "the program goes on with the next block";
         self.interpreter.error("missing-block", message, origin, hint);
-    }
-
-    /// The block with a label (`NAME:`), or with a number where it is one behind N.
-    fn find_label(&mut self, outline: &Outline, label: &str, search: Search) -> Option<Place> {
-        let here = self.place.at;
-        let (mut found, mut looked_at) = (None, 0);
-        let (mut at, mut line) = (outline.first, 1_u32);
-        while at < outline.end && !(search == Search::Up && at >= here) {
-            let (text, next) = outline.line(at);
-            looked_at += 1;
-            if (at >= here || search != Search::Down) && is_labelled(text, label) {
-                found = Some(Place { at, line, mark: outline.mark_from(at) });
-                if at >= here {
-                    break;
-                }
-            }
-            (at, line) = (next, line.saturating_add(1));
-        }
-        self.count_labels(looked_at);
-        found
     }
 
     /// The block with a number, first downwards, then from the beginning of the program.
@@ -425,24 +448,6 @@ impl Runner {
         }
         let &(_, line, at) = found?;
         Some(Place { at, line, mark: outline.mark_from(at) })
-    }
-}
-
-/// Whether a line has such a label, or such a number with its N.
-fn is_labelled(text: &str, label: &str) -> bool {
-    let mut cursor = Cursor::new(text, 0);
-    loop {
-        cursor.peek();
-        let name = cursor.identifier();
-        let is_number = name.starts_with(['N', 'n'])
-            && name.len() > 1
-            && name.bytes().skip(1).all(|digit| digit.is_ascii_digit());
-        if name.eq_ignore_ascii_case(label) && (is_number || cursor.eat(b':')) {
-            return true;
-        }
-        if !is_number {
-            return false;
-        }
     }
 }
 

@@ -17,6 +17,7 @@ pub(super) enum Operator {
     Power,
     Times,
     Divide,
+    DivideWhole,
     Modulo,
     Plus,
     Minus,
@@ -32,12 +33,12 @@ pub(super) enum Operator {
 }
 
 use Operator::{
-    And, Divide, Equal, ExclusiveOr, Greater, GreaterOrEqual, Less, LessOrEqual, Minus, Modulo,
-    NotEqual, Or, Plus, Power, Times,
+    And, Divide, DivideWhole, Equal, ExclusiveOr, Greater, GreaterOrEqual, Less, LessOrEqual,
+    Minus, Modulo, NotEqual, Or, Plus, Power, Times,
 };
 
 /// How operators are written; where one begins like another, the longer comes first.
-pub(super) const OPERATORS: [(&str, Operator); 21] = [
+pub(super) const OPERATORS: [(&str, Operator); 22] = [
     ("**", Power),
     ("*", Times),
     ("/", Divide),
@@ -54,6 +55,7 @@ pub(super) const OPERATORS: [(&str, Operator); 21] = [
     ("OR", Or),
     ("XOR", ExclusiveOr),
     // SINUMERIK's.
+    ("DIV", DivideWhole),
     ("==", Equal),
     ("<>", NotEqual),
     (">=", GreaterOrEqual),
@@ -74,7 +76,7 @@ impl Operator {
         match self {
             Power => 5,
             And if fanuc => 4,
-            Times | Divide | Modulo => 4,
+            Times | Divide | DivideWhole | Modulo => 4,
             Or | ExclusiveOr if fanuc => 3,
             Plus | Minus => 3,
             Equal | NotEqual | Greater | GreaterOrEqual | Less | LessOrEqual => 2,
@@ -114,8 +116,11 @@ impl Operator {
             Plus => return finite(a + b),
             Minus => return finite(a - b),
             Times => return finite(a * b),
-            Divide if b == 0.0 => return Err(("division-by-zero", "division by zero")),
+            Divide | DivideWhole if b == 0.0 => {
+                return Err(("division-by-zero", "division by zero"));
+            }
             Divide => return finite(a / b),
+            DivideWhole => return finite((a / b).trunc()),
             Modulo => return modulo(a, b, fanuc),
             Power => return power(a, b),
         };

@@ -153,6 +153,7 @@ impl Interpreter {
         {
             words.take_all(GEOMETRY);
         }
+        let moved = !demands.no_move && words.has_any("XYZjq");
         if let Some(motion) = demands.once.or(self.modal.motion)
             && !demands.no_move
         {
@@ -163,6 +164,7 @@ impl Interpreter {
         if self.is_refused {
             return Flow::End;
         }
+        self.drill(block, &mut words, moved);
         self.not_understood(block, &words);
         if self.is_refused {
             return Flow::End;
@@ -281,5 +283,5 @@ fn fault(code: &'static str, message: impl Into<String>, origin: Origin) -> Diag
 }
 
 fn is_axis(word: &Word) -> bool {
-    matches!(word.letter, 'X' | 'Y' | 'Z')
+    matches!(word.letter, 'X' | 'Y' | 'Z' | 'j' | 'q')
 }

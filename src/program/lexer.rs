@@ -141,6 +141,7 @@ impl LineReader<'_> {
             }
             // LinuxCNC has the signs for polar coordinates.
             b'A'..=b'Z' | b'@' | b'^' => self.word(c),
+            b'_' | b'$' if self.dialect == Dialect::Sinumerik => self.word(c),
             // The number of a program, as O.
             b':' if self.block.words.is_empty() && self.dialect != Dialect::Sinumerik => {
                 self.word(b'O');
@@ -229,7 +230,7 @@ impl LineReader<'_> {
     }
 
     /// The value after `=`.
-    fn set(&mut self, target: Target, from: usize) {
+    pub(super) fn set(&mut self, target: Target, from: usize) {
         let column = self.cursor.column(from);
         let value = match self.expression(1) {
             Ok(value) => value,
@@ -249,7 +250,9 @@ impl LineReader<'_> {
             // 3000 raises an alarm, 3006 shows a message and stops.
             Target::Number(3000 | 3006) => false,
             Target::Number(number) => is_system(*number, self.dialect),
-            Target::Name(name) => self.interpreter.system_name(name).is_some(),
+            Target::Name(name) | Target::Whole(name) => {
+                self.interpreter.system_name(name).is_some()
+            }
         };
         if system {
             let fault =
@@ -349,6 +352,10 @@ impl LineReader<'_> {
 
     /// After a fault in the value of a word: goes on behind the value.
     fn resume(&mut self, from: usize) {
+        if self.parentheses() {
+            self.cursor.take_while(&|c: char| !c.is_ascii_whitespace());
+            return;
+        }
         self.cursor.set(from);
         self.cursor.skip();
         let mut depth = 0_u32;
@@ -391,6 +398,8 @@ impl LineReader<'_> {
                 let value = self.expression(1);
                 self.accept_value(letter - b'I' + b'x', value, from);
             }
+            // Words of the first spindle.
+            Some(1) if matches!(letter, b'M' | b'S') => self.assigned(letter, from),
             _ => {
                 let value = self.expression(1);
                 let unknown = Fault { code: "unknown-name", message: "it is not known", at: from };
@@ -415,6 +424,10 @@ impl LineReader<'_> {
     /// Adds a word; of two with one letter the later counts, G and M words and the arguments of a
     /// macro apart.
     fn accept(&mut self, word: Word, from: usize) {
+        if self.returns(&word) {
+            self.jump = Some((Destination::Return, word.column));
+            return;
+        }
         let words = &mut self.block.words;
         if words.len() == MOST_WORDS {
             let message = format!("the block has more than {MOST_WORDS} words");

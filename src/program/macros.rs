@@ -155,17 +155,11 @@ impl Runner {
                     number => self.find_program(outline, number, *times),
                 };
                 let Some((start, times)) = found else {
-                    let origin = self.block.origin_at(*column);
-                    let message = match number {
-                        Some(number) => {
-                            let letter = if *is_block { 'N' } else { 'O' };
-                            format!("the subprogram {letter}{number} is not in the text")
-                        }
-                        None => String::from("the call has no P with a number"),
-                    };
-                    let hint = "the call is left out; put the subprogram into the text";
-                    self.interpreter.error("missing-subprogram", message, origin, hint);
-                    return;
+                    let letter = if *is_block { 'N' } else { 'O' };
+                    let name = number.map_or(String::from("without a number (P)"), |number| {
+                        format!("{letter}{number}")
+                    });
+                    return self.no_subprogram(&name, *column);
                 };
                 if times > 0 {
                     self.enter(start, times, arguments, false);
@@ -190,7 +184,7 @@ impl Runner {
                     self.leave();
                 }
                 if let Some(word) = to {
-                    self.go_to(outline, &Destination::Number(word.value), word.column);
+                    self.go_to(outline, Destination::Number(word.value), word.column, "");
                 }
             }
         }

@@ -1,10 +1,11 @@
 //! What a control keeps from block to block.
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
 use super::coordinates::Systems;
 use super::corner_words::Wishes;
 use super::cycles::CycleNumbers;
+use super::drilling::Drill;
 use super::feed::Feed;
 use super::frame::Frame;
 use super::g_words::Motion;
@@ -71,6 +72,10 @@ pub(super) struct Modal {
     pub(super) restate: [bool; 3],
     /// Where the other axes are, A B C [degrees] and U V W [mm], once the program has said so.
     pub(super) others: [Option<f64>; 6],
+    /// The pole of AP and RP in programmed coordinates, and their last values.
+    pub(super) polar: About,
+    /// What MCALL drills after each block that moves in the plane.
+    pub(super) drill: Option<Drill>,
     /// G12.1: X is not what it says until G13.1.
     pub(super) polar_interpolation: bool,
 }
@@ -105,6 +110,8 @@ impl Modal {
             stated: [false; 3],
             restate: [false; 3],
             others: [None; 6],
+            polar: About::default(),
+            drill: None,
             polar_interpolation: false,
         }
     }
@@ -150,6 +157,17 @@ impl Modal {
     pub(super) fn active_tool(&self) -> u32 {
         self.loaded.or(self.selected).unwrap_or(0)
     }
+}
+
+/// A point about a pole.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct About {
+    /// [mm]
+    pub(super) pole: DVec2,
+    /// [mm]
+    pub(super) radius: f64,
+    /// [rad]
+    pub(super) angle: f64,
 }
 
 /// A number that tools were given.

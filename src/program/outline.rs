@@ -6,13 +6,14 @@
 use super::cursor::Cursor;
 use super::dialect::Dialect;
 use super::report::Report;
+use super::structures::{program_name, structure};
 use crate::diagnostic::{Diagnostic, Origin};
 
 /// Deepest nesting of loops and conditions; deeper ones are reported.
 const DEEPEST: usize = 100;
 
-/// No partner.
-const NONE: usize = usize::MAX;
+/// No partner, or no arguments.
+pub(super) const NONE: usize = usize::MAX;
 
 /// What a line does to the order of blocks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,12 +33,17 @@ pub(super) enum Step {
     EndRepeat,
     Break,
     Continue,
-    /// FANUC's program number.
+    /// FANUC's program number, or SINUMERIK's name of one.
     Program,
     /// FANUC's `WHILE […] DO1` or `DO1`.
     LoopStart,
     /// FANUC's `END1`.
     LoopEnd,
+    /// SINUMERIK's `UNTIL …`.
+    Until,
+    /// SINUMERIK's `FOR …=… TO …`.
+    For,
+    EndFor,
     /// An O word of which nothing is understood.
     Unknown,
 }
@@ -72,7 +78,7 @@ pub(super) struct Mark {
     pub(super) after: usize,
     pub(super) step: Step,
     /// The number, name or expression after O, or of DO and END [bytes].
-    label: [usize; 2],
+    pub(super) label: [usize; 2],
     /// The mark that belongs to it: the end of a beginning, the next branch of a condition, the
     /// loop of a break.
     partner: usize,
@@ -129,8 +135,14 @@ impl Outline {
         while at < self.end {
             let (text, next) = self.line(at);
             let mut cursor = Cursor::new(text, 0);
+            let named = if self.dialect == Dialect::Sinumerik {
+                program_name(cursor.clone(), at, line)
+            } else {
+                None
+            };
             match cursor.peek() {
                 None => {}
+                Some(_) if named.is_some() => self.marks.extend(named),
                 Some(_) if end.is_some() => {
                     report.push(after_end(line));
                     break;
@@ -149,6 +161,15 @@ impl Outline {
                     }
                     words |= !is_comment(text);
                     if let Some(mark) = mark(cursor, at, line, self.dialect) {
+                        // PROC tells the name of a file once more.
+                        if self.dialect == Dialect::Sinumerik
+                            && mark.step == Step::Program
+                            && let Some(last) = self.marks.last()
+                            && last.step == Step::Program
+                            && self.same(last, &mark)
+                        {
+                            self.marks.pop();
+                        }
                         self.marks.push(mark);
                     }
                 }
@@ -188,10 +209,11 @@ impl Outline {
                 Step::EndIf => &[Step::If, Step::ElseIf, Step::Else],
                 Step::EndWhile => &[Step::While],
                 Step::EndRepeat => &[Step::Repeat],
-                Step::LoopEnd => &[Step::LoopStart],
+                Step::LoopEnd | Step::Until => &[Step::LoopStart],
+                Step::EndFor => &[Step::For],
                 Step::While => &[Step::Do],
                 Step::Break | Step::Continue => &[Step::While, Step::Do, Step::Repeat],
-                Step::If | Step::Do | Step::Repeat | Step::LoopStart => &[],
+                Step::If | Step::Do | Step::Repeat | Step::LoopStart | Step::For => &[],
                 Step::Call | Step::Return | Step::Unknown => continue,
             };
             let belongs = |&&begin: &&usize| {
@@ -302,7 +324,7 @@ impl Outline {
 }
 
 impl Mark {
-    fn plain(at: usize, line: u32, step: Step) -> Self {
+    pub(super) fn plain(at: usize, line: u32, step: Step) -> Self {
         Self { at, line, after: at, step, label: [at; 2], partner: NONE }
     }
 }
@@ -329,13 +351,15 @@ fn mark(mut cursor: Cursor, at: usize, line: u32, dialect: Dialect) -> Option<Ma
     let mut mark = Mark::plain(at, line, Step::Unknown);
     let fanuc = matches!(dialect, Dialect::Auto | Dialect::Fanuc);
     match cursor.peek()? {
+        _ if dialect == Dialect::Sinumerik => structure(&mut cursor, &mut mark)?,
         c if c == b'O' || c == b':' && fanuc => {
             cursor.skip();
             o_word(&mut cursor, &mut mark)?;
             mark.after = at + cursor.at();
         }
         b'W' | b'D' if fanuc => {
-            if cursor.eat_all("WHILE[") {
+            // Two letters may stand for the word.
+            if cursor.eat_all("WHILE[") || cursor.eat_all("WH[") {
                 mark.after = at + cursor.at() - 1;
                 skip_bracket(&mut cursor);
                 if !cursor.eat_all("DO") {

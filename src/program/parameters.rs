@@ -29,6 +29,8 @@ pub(super) const FAILED: f64 = f64::INFINITY;
 pub(super) enum Target {
     Number(u32),
     Name(String),
+    /// Lets a name have whole numbers alone from here on (SINUMERIK's INT and BOOL).
+    Whole(String),
 }
 
 /// An assignment, which takes effect once its whole block was read.
@@ -46,6 +48,7 @@ struct Named {
     /// The level of the subprogram that it belongs to; names that begin with `_` belong to all.
     level: u32,
     value: f64,
+    is_whole: bool,
 }
 
 /// The parameters.
@@ -53,7 +56,8 @@ struct Named {
 pub(super) struct Parameters {
     numbered: Vec<f64>,
     named: Vec<Named>,
-    level: u32,
+    /// How deep in subprograms that have parameters of their own.
+    pub(super) level: u32,
 }
 
 impl Parameters {
@@ -89,15 +93,22 @@ impl Parameters {
     /// Sets a named one; false where there are too many of them, or the name is too long.
     pub(super) fn set_name(&mut self, name: String, value: f64) -> bool {
         if let Some(named) = self.index(&name).and_then(|index| self.named.get_mut(index)) {
-            named.value = value;
+            named.value = if named.is_whole { value.round() } else { value };
             return true;
         }
         let fits = self.named.len() < MOST_NAMES && name.len() <= LONGEST_NAME;
         if fits {
             let level = self.level_of(&name);
-            self.named.push(Named { name, level, value });
+            self.named.push(Named { name, level, value, is_whole: false });
         }
         fits
+    }
+
+    /// Rounds a named one, now and whenever it is set.
+    pub(super) fn make_whole(&mut self, name: &str) {
+        if let Some(named) = self.index(name).and_then(|index| self.named.get_mut(index)) {
+            (named.value, named.is_whole) = (named.value.round(), true);
+        }
     }
 
     /// Enters a subprogram that has parameters of its own, the first `count` as given; returns what

@@ -93,6 +93,8 @@ pub(super) struct Frame {
     pub(super) is_sub: bool,
     /// Whether G66 called it.
     pub(super) is_modal: bool,
+    /// The line before which a section that is repeated ends; 0 for subprograms.
+    pub(super) until: u32,
 }
 
 /// A repeat that goes on.
@@ -222,6 +224,13 @@ impl Runner {
     /// Runs one line.
     fn line(&mut self, outline: &Outline) {
         let here = self.place;
+        if self.frames.last().is_some_and(|frame| frame.until == here.line) {
+            self.blocks += 1;
+            if self.within_bounds() {
+                self.leave();
+            }
+            return;
+        }
         if here.at >= outline.end {
             self.end_of_text();
             return;
@@ -235,7 +244,8 @@ impl Runner {
             self.place.mark += 1;
         }
         let mut cursor = Cursor::new(text, 0);
-        if matches!(cursor.peek(), None | Some(b'%')) {
+        let first = cursor.peek();
+        if first.is_none() || first == Some(b'%') && mark.is_none() {
             return;
         }
         self.blocks += 1;
@@ -259,13 +269,15 @@ impl Runner {
                 if mark.is_some() && !self.begins_program(outline, here) {
                     return;
                 }
-                self.plain(outline, cursor);
+                if first != Some(b'%') {
+                    self.plain(outline, cursor, text);
+                }
             }
         }
     }
 
     /// Reads a line that does not change the order of blocks by itself, and runs it.
-    fn plain(&mut self, outline: &Outline, cursor: Cursor) {
+    fn plain(&mut self, outline: &Outline, cursor: Cursor, text: &str) {
         let mut reader = self.reader(outline.dialect, cursor);
         if reader.head() {
             reader.elements();
@@ -295,7 +307,7 @@ impl Runner {
             self.call(outline, &call);
         }
         if let Some((to, column)) = jump {
-            self.go_to(outline, &to, column);
+            self.go_to(outline, to, column, text);
         }
     }
 
@@ -332,7 +344,7 @@ impl Runner {
     }
 
     /// The assignments of the block take effect.
-    fn assign(&mut self) {
+    pub(super) fn assign(&mut self) {
         for Setting { target, value, column } in self.settings.drain(..) {
             let origin = self.block.origin_at(column);
             let report = &mut self.interpreter.report;
@@ -343,6 +355,7 @@ impl Runner {
                     self.ended = true;
                 }
                 Target::Number(number) => self.parameters.set_number(number, value),
+                Target::Whole(name) => self.parameters.make_whole(&name),
                 Target::Name(name) => {
                     if !self.parameters.set_name(name, value) {
                         let message =

@@ -3,15 +3,16 @@
 //!
 //! Siemens, SINUMERIK 840D sl / 828D Fundamentals, Programming Manual 10/2015: labels and GOTO in
 //! section 2.15 of Job Planning; AC and IC in 7.2, frames (TRANS, ROT, SCALE, MIRROR) in 12 of
-//! Fundamentals. Cycles, variables with names and loops are not read.
+//! Fundamentals. Loops, variables with names and subprograms are in `structures`, cycles in `drilling`.
 
 use glam::{DVec2, DVec3};
 
-use super::block::Block;
+use super::axes::Axes;
+use super::block::{Block, Word};
 use super::coordinates::AXES;
 use super::dialect::Dialect;
-use super::flow::{Destination, Search};
-use super::frame::{Frame, radians};
+use super::flow::Destination;
+use super::frame::{Frame, polar_point, radians};
 use super::interpret::Interpreter;
 use super::lexer::{LineReader, quote};
 use super::spline_words::{ADDRESSES, NAMES};
@@ -19,9 +20,9 @@ use super::words::Words;
 
 /// What moves no tool by itself: how the control follows the path, what it shows, what it waits for.
 const WITHOUT_EFFECT: &str = "FFWON FFWOF SOFT BRISK DRIVE COMPON COMPCURV COMPCAD COMPSURF COMPOF \
-    CFC CFTCP CFIN FGROUP UPATH SPATH STOPRE DIAMOF WALIMON WALIMOF WORKPIECE CYCLE832 SBLON SBLOF \
+    CFC CFTCP CFIN FGROUP UPATH SPATH STOPRE FNORM EXTERN DIAMOF WALIMON WALIMOF WORKPIECE CYCLE832 SBLON SBLOF \
     DISPLOF ADIS ADISPOS LIMS SPOS SETMS TRAFOOF ORIWKS ORIMKS DYNNORM DYNPOS DYNROUGH DYNSEMIFIN \
-    DYNFINISH CUT2D CUT2DF CDOF RET";
+    DYNFINISH CUT2D CUT2DF CDOF";
 
 /// What the numbers of instructions that add to a frame are larger by than those of others.
 const ADDS: f64 = 4.0;
@@ -31,8 +32,19 @@ impl LineReader<'_> {
     pub(super) fn name_word(&mut self) -> bool {
         let from = self.cursor.at();
         let rest = self.cursor.rest().as_bytes();
-        if !rest.get(1).is_some_and(|c| c.is_ascii_alphabetic() || *c == b'_') {
+        let is_name = match *rest {
+            [b'$' | b'_', ..] | [b'R' | b'r', b'[', ..] => true,
+            [b'L' | b'l', c, ..] => c.is_ascii_digit(),
+            _ => false,
+        };
+        if !is_name && !rest.get(1).is_some_and(|c| c.is_ascii_alphabetic() || *c == b'_') {
             return false;
+        }
+        if self.cursor.eat(b'$') {
+            let hint = "the rest of the block is left out; set it on the machine";
+            self.cursor.skip_all();
+            self.warn("left-out", from, "only the machine has such variables", hint);
+            return true;
         }
         if self.cursor.eat_all("CR=") {
             // The radius of an arc, with the sign that tells which.
@@ -56,29 +68,17 @@ impl LineReader<'_> {
         }
         for (known, letter) in ADDRESSES {
             if name.eq_ignore_ascii_case(known) && self.cursor.eat(b'=') {
-                let value = self.expression(1);
-                self.accept_value(letter, value, from);
+                self.assigned(letter, from);
                 return true;
             }
         }
-        for (known, search) in
-            [("GOTOF", Search::Down), ("GOTOB", Search::Up), ("GOTO", Search::DownThenUp)]
-        {
-            if name.eq_ignore_ascii_case(known) {
-                self.cursor.peek();
-                let column = self.cursor.column(from);
-                self.jump =
-                    Some((Destination::Label(self.cursor.identifier().to_owned(), search), column));
-                return true;
-            }
-        }
-        if name.eq_ignore_ascii_case("IF") {
-            // What follows counts only where it is true.
-            if !self.holds() {
-                self.cursor.skip_all();
-            }
+        if self.flow_name(name, from) {
             return true;
         }
+        if self.drilling_cycle(name, from) || self.assigns_variable(from) {
+            return true;
+        }
+        self.cursor.set(from + name.len());
         // A label.
         if self.block.words.is_empty() && self.cursor.eat(b':') {
             return true;
@@ -102,8 +102,28 @@ impl LineReader<'_> {
             self.interpreter.note(self.block, column, name);
             return true;
         }
-        self.unknown_name(name, from);
+        let column = self.cursor.column(from);
+        if self.block.words.is_empty()
+            && matches!(self.cursor.peek(), None | Some(b'(' | b'P' | b';'))
+        {
+            self.jump = Some((Destination::Program(name.to_owned(), self.cursor.at()), column));
+            // Its arguments are read where it is called.
+            self.cursor.skip_all();
+        } else {
+            self.unknown_name(name, from);
+        }
         true
+    }
+
+    /// Whether a word leads back from a subprogram: M17, and there M2 and M30 too.
+    pub(super) fn returns(&self, word: &Word) -> bool {
+        self.dialect == Dialect::Sinumerik
+            && word.letter == 'M'
+            && match word.value {
+                17.0 => true,
+                2.0 | 30.0 => self.parameters.level > 0,
+                _ => false,
+            }
     }
 
     /// What stands behind `=`: a tool by its name, AC( ) and IC( ), or any expression.
@@ -143,6 +163,9 @@ impl LineReader<'_> {
                 (letter - b'X', !relative)
             }
             b'I'..=b'K' => (letter - b'I', modal.absolute_center),
+            // An angle and a radius about the pole, which are absolute.
+            b'j' if !absolute => return modal.polar.angle.to_degrees(),
+            b'q' if !absolute => return modal.polar.radius / modal.unit(),
             _ => return 0.0,
         };
         if absolute == is_absolute {
@@ -161,6 +184,45 @@ impl LineReader<'_> {
 }
 
 impl Interpreter {
+    /// G110, G111 and G112: the pole of AP and RP counts from where the program is, from the origin, or
+    /// from the pole before.
+    pub(super) fn pole(&mut self, number: u32, words: &mut Words) {
+        let plane = self.modal.plane;
+        let before = self.modal.polar.pole;
+        let from = match number {
+            1100 => plane.split(self.modal.frame.unmap(self.modal.position)).0,
+            1110 => DVec2::ZERO,
+            _ => before,
+        };
+        let mut way = DVec3::ZERO;
+        for (i, letter) in AXES.into_iter().enumerate() {
+            way[i] = words.take(letter).map_or(0.0, |word| self.modal.length_of(i, word.value));
+        }
+        let (radius, angle) = (words.take('q'), words.take('j'));
+        let radius = radius.map_or(0.0, |word| word.value * self.modal.unit());
+        let angle = angle.map_or(0.0, |word| radians(word.value));
+        self.modal.polar.pole = from + plane.split(way).0 + polar_point(DVec2::ZERO, radius, angle);
+    }
+
+    /// AP and RP: an angle and a radius about the pole; the one that is left out stays.
+    pub(super) fn about_pole<'a>(
+        &mut self,
+        words: &mut Words<'a>,
+        axes: &mut Axes<'a>,
+        to: &mut DVec3,
+    ) {
+        let (radius, angle) = (words.take('q'), words.take('j'));
+        let Some(word) = radius.or(angle) else { return };
+        let (plane, unit) = (self.modal.plane, self.modal.unit());
+        let [first, second, normal] = plane.axes();
+        let polar = &mut self.modal.polar;
+        polar.radius = radius.map_or(polar.radius, |word| word.value * unit);
+        polar.angle = angle.map_or(polar.angle, |word| radians(word.value));
+        *to = plane.place(polar_point(polar.pole, polar.radius, polar.angle), to[normal]);
+        axes.words[first] = Some(word);
+        axes.words[second] = Some(word);
+    }
+
     /// TRANS, ROT, SCALE and MIRROR, which take the place of what there was, and ATRANS, AROT, ASCALE
     /// and AMIRROR, which act on the coordinates that there were.
     ///

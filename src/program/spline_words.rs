@@ -4,7 +4,7 @@
 //! for how they begin and end, `w` for PW, `l` for PL and `d` for SD; `k` for NORM and KONT and `v`
 //! for DISC, `o` for OFFN, which are no words for splines (`corner_words`), and `r`, `m`, `c`, `f`,
 //! `g` and `h` for RND, RNDM, CHR, CHF, FRC and FRCM (`corner_cuts`), `n` and `p` for the programmable
-//! frames and RPL (`sinumerik`), `a`, `t`, `x`, `y` and `z` for AR, TURN, I1, J1 and K1 (`arcs`); CT and
+//! frames and RPL, `j` and `q` for AP and RP (`sinumerik`), `i` for cycles (`drilling`), `a`, `t`, `x`, `y` and `z` for AR, TURN, I1, J1 and K1 (`arcs`); CT and
 //! CIP are an `s`, too.
 
 use glam::{DVec2, DVec3};
@@ -48,7 +48,7 @@ pub(super) const NAMES: [(&str, char, f64); 24] = [
 ];
 
 /// Words with a value behind `=`, and their letters.
-pub(super) const ADDRESSES: [(&str, u8); 14] = [
+pub(super) const ADDRESSES: [(&str, u8); 16] = [
     ("PW", b'w'),
     ("PL", b'l'),
     ("SD", b'd'),
@@ -56,6 +56,8 @@ pub(super) const ADDRESSES: [(&str, u8); 14] = [
     ("OFFN", b'o'),
     ("RPL", b'p'),
     ("AR", b'a'),
+    ("AP", b'j'),
+    ("RP", b'q'),
     ("TURN", b't'),
     ("RND", b'r'),
     ("RNDM", b'm'),

@@ -77,8 +77,9 @@ impl Interpreter {
         let modal = &self.modal;
         let truth = |value: bool| Some(f64::from(u8::from(value)));
         match name {
-            // Before a subprogram has returned.
-            "_value" | "_value_returned" => Some(0.0),
+            // Before a subprogram has returned; SINUMERIK's FALSE, with the point of its names.
+            "_value" | "_value_returned" | ".false" => Some(0.0),
+            ".true" => Some(1.0),
             "_x" => self.programmed(0),
             "_y" => self.programmed(1),
             "_z" => self.programmed(2),

@@ -102,7 +102,7 @@ fn what_moves_nothing_is_noted_and_what_is_unknown_said_once() {
     assert!(steps(&read).iter().any(|step| step.starts_with("R 1 2")), "{:?}", steps(&read));
     assert_eq!(
         codes("G0 X1\nPOCKET3(50,0,2,-5) X3\nG1 X5 F10\nM30\n", Sinumerik),
-        ["unknown-name"],
+        ["missing-subprogram"],
         "a cycle"
     );
     assert_eq!(
@@ -154,4 +154,176 @@ fn arcs_by_tangent_point_and_angle() {
     let helix = arcs("G0 X0 Y0 Z0\nG1 X10 F100\nG3 X20 Y10 Z-6 I0 J10 TURN=2\nM30\n");
     assert_eq!(helix.len(), 3, "two whole turns more");
     assert_eq!(arcs("G0 X0 Y0 Z0\nG1 X10 F100\nCT X20 Y0\nM30\n").len(), 0, "straight on");
+}
+
+#[test]
+fn loops_and_conditions_have_their_own_names() {
+    // X of the moves, by hand.
+    for (text, expected) in [
+        ("FOR R1=1 TO 3\nX=R1*10\nENDFOR\nX=R1", &[10.0, 20.0, 30.0, 4.0][..]),
+        ("FOR R1=5 TO 3\nX100\nENDFOR\nX1", &[1.0]),
+        (
+            "DEF INT II\nFOR II=2 TO R5+3\nFOR R2=1 TO 2\nX=II*10+R2\nENDFOR\nENDFOR",
+            &[21.0, 22.0, 31.0, 32.0],
+        ),
+        ("WHILE R1<2\nR1=R1+1\nX=R1\nENDWHILE\nX9", &[1.0, 2.0, 9.0]),
+        ("N10 again: while (R1 < 1)\nN20 R1=R1+1 ; once\nX=R1\nN30 endwhile", &[1.0]),
+        ("REPEAT\nR1=R1+1\nX=R1\nUNTIL R1>=3", &[1.0, 2.0, 3.0]),
+        ("REPEAT\nWHILE R1<2\nR1=R1+1\nX=R1\nENDWHILE\nR2=R2+1\nUNTIL R2==2\nX7", &[1.0, 2.0, 7.0]),
+        ("LOOP\nR1=R1+1\nX=R1\nIF R1==2 GOTOF OUT\nENDLOOP\nOUT: X8", &[1.0, 2.0, 8.0]),
+        ("R1=2\nIF R1==2\nX1\nELSE\nX2\nENDIF\nX3", &[1.0, 3.0]),
+        ("R1=3\nIF NOT (R1<>2)\nX1\nELSE\nIF R1>2\nX4\nENDIF\nX2\nENDIF\nX3", &[4.0, 2.0, 3.0]),
+        ("IF R1==1\nX1\nENDIF\nX3", &[3.0]),
+        ("IF R1==1 GOTOF AA IF R1==0 GOTOF BB\nX9\nAA: X1\nBB: X2", &[2.0]),
+        (
+            "CASE R1+2 OF 1 GOTOF AA 2 GOTOF BB DEFAULT GOTOF CC\nAA: X1\nBB: X2\nCC: X3",
+            &[2.0, 3.0],
+        ),
+        ("CASE(R1) OF 1 GOTOF AA DEFAULT GOTOF CC\nX9\nAA: X1\nCC: X3", &[3.0]),
+        ("CASE R1 OF 1 GOTOF AA\nX9\nAA: X1", &[9.0, 1.0]),
+    ] {
+        let program = format!("R1=0 R2=0 R5=0\nG0\n{text}\nM30\n");
+        assert_eq!(xs(&program, Sinumerik), expected, "{text}");
+    }
+    for text in ["WHILE R1<3\nX1\nENDLOOP", "FOR R1=1 TO 3\nX1", "ENDIF\nX1", "UNTIL R1>2\nX1"] {
+        let program = format!("R1=5\nG0\n{text}\nM30\n");
+        assert!(codes(&program, Sinumerik).contains(&"unmatched-flow"), "{text}");
+    }
+    for text in ["FOR R1=1\nX1\nENDFOR", "FOR 5 TO 6\nX1\nENDFOR", "FOR R1=1 TO\nX1\nENDFOR"] {
+        let program = format!("G0\n{text}\nM30\n");
+        assert_eq!(codes(&program, Sinumerik), ["bad-expression"], "{text}");
+    }
+    for text in [
+        "LOOP\nG0 X1\nENDLOOP\n",
+        "FOR R1=1 TO 1000000000\nENDFOR\n",
+        "AA:\nREPEAT AA P=99999999\n",
+    ] {
+        let endless = Program::parse(text, Sinumerik);
+        let options = RunOptions { most_blocks: 1000, ..RunOptions::default() };
+        let mut runner = Runner::new(&endless, options);
+        while runner.step(100) {}
+        assert_eq!(runner.finish().diagnostics[0].code, "run-too-long", "bounded: {text}");
+    }
+}
+
+#[test]
+fn variables_have_names_kinds_and_fields() {
+    for (text, expected) in [
+        ("DEF REAL WIDTH=2.5, _D\n_D=WIDTH*2\nX=_D+width", 7.5),
+        ("DEF INT CNT=2.6\nX=CNT", 3.0),
+        ("DEF INT CNT\nCNT=7/2\nX=CNT", 4.0),
+        ("DEF BOOL OK=TRUE\nIF OK AND NOT FALSE\nX=1\nENDIF", 1.0),
+        ("DEF REAL TAB[3], MAT[2,2]\nTAB[1]=5 MAT[1,0]=2\nX=TAB[1]+MAT[1,0]*10+TAB[2]", 25.0),
+        ("R10=4 R[3+2]=6\nX=R[R10+1]+R10", 10.0),
+        ("X=7 DIV 2+7 MOD 4", 6.0),
+        ("X=ROUND(2.5)+TRUNC(-2.5)+POT(3)+SQRT(16)+ABS(-1)", 15.0),
+        ("X=ATAN2(1,1)+SIN(30)+COS(60)+TAN(45)", 47.0),
+    ] {
+        let program = format!("G0\n{text}\nM30\n");
+        assert_eq!(xs(&program, Sinumerik), [expected], "{text}");
+    }
+    assert_eq!(codes("G0 X1\nX=WIDTH\nM30\n", Sinumerik), ["unset-parameter"], "never defined");
+    assert_eq!(codes("G0 X1\nWIDTH=5\nM30\n", Sinumerik), ["unknown-name"], "set, not defined");
+    assert_eq!(codes("DEF STRING[9] AA\nG0 X1\nM30\n", Sinumerik), ["unknown-name"], "no number");
+    assert_eq!(codes("$TC_DP6[1,1]=5\nG0 X1\nM30\n", Sinumerik), ["left-out"], "the machine's");
+}
+
+#[test]
+fn subprograms_are_called_by_name() {
+    let file = "%_N_PART_MPF\n;$PATH=/_N_MPF_DIR\nR1=1\nG0 X1\nHOLE\nL20 P2\nRECT(3,R1+4)\nX9\nM30\n\
+                %_N_HOLE_SPF\nX10\nM17\n%_N_L20_SPF\nG91 X1\nG90\nRET\n\
+                %_N_RECT_SPF\nPROC RECT(REAL AA, INT BB) SAVE\nDEF REAL CC\nCC=AA*BB\nX=CC\nR1=5\nM30\n";
+    assert_eq!(xs(file, Sinumerik), [1.0, 10.0, 11.0, 12.0, 15.0, 9.0], "each by its name");
+    let deep = "PROC MAIN\nG0 X1\nOUTER(2)\nX9\nM30\nPROC OUTER(REAL AA)\nINNER(AA+1)\nX=AA\nM17\n\
+                PROC INNER(REAL AA)\nX=AA\nM17\n";
+    assert_eq!(xs(deep, Sinumerik), [1.0, 3.0, 2.0, 9.0], "their variables are their own");
+    assert_eq!(
+        codes("G0 X1\nOTHER(5)\nL7\nX2\nM30\n", Sinumerik),
+        ["missing-subprogram", "missing-subprogram"],
+        "files of their own"
+    );
+    let own = "G0 X1\nSUB1\nM30\n%_N_SUB1_SPF\nSUB1\nM17\n";
+    assert_eq!(codes(own, Sinumerik), ["nested-too-deep"], "one that calls itself");
+}
+
+#[test]
+fn sections_are_repeated() {
+    for (text, expected) in [
+        ("AA: X1\nX2\nREPEAT AA P=2\nX3", &[1.0, 2.0, 1.0, 2.0, 1.0, 2.0, 3.0][..]),
+        ("AA: X1\nX2\nBB: X3\nX4\nREPEAT AA BB\nX5", &[1.0, 2.0, 3.0, 4.0, 1.0, 2.0, 3.0, 5.0]),
+        ("X0.5\nG91\nN10 AA: X1\nX2\nREPEATB AA P=2\nX3", &[0.5, 1.5, 3.5, 4.5, 5.5, 8.5]),
+        ("GOTOF ON\nAA: X1\nX2\nBB:\nON: REPEAT AA BB P=1\nX3", &[1.0, 2.0, 3.0]),
+    ] {
+        assert_eq!(xs(&format!("G0\n{text}\nM30\n"), Sinumerik), expected, "{text}");
+    }
+    assert_eq!(codes("G0 X1\nREPEAT ZZ P=3\nM30\n", Sinumerik), ["missing-block"], "no label");
+}
+
+#[test]
+fn points_are_told_about_a_pole() {
+    for (blocks, expected) in [
+        ("G111 X10 Y5\nAP=90 RP=3", "R 10 8 0"),
+        ("G111 X10 Y5\nAP=0 RP=3\nAP=180", "R 7 5 0"),
+        ("G110 X1 Y1\nAP=270 RP=1", "R 2 1 0"),
+        ("G111 X10 Y5\nG112 X1\nRP=2 AP=0", "R 13 5 0"),
+        ("RP=2 AP=30\nAP=IC(60)", "R 0 2 0"),
+        ("G111 X10\nAP=90 RP=4 Z3", "R 10 4 3"),
+        ("TRANS X100\nG111 X10\nRP=1 AP=0", "R 111 0 0"),
+        ("G18 G111 Z10\nAP=90 RP=1", "R 1 1 10"),
+    ] {
+        let made = clean(&format!("G0 X1 Y1 Z0\n{blocks}\nM30\n"));
+        assert_eq!(
+            made.iter().rev().find(|step| !step.starts_with('M')).map(String::as_str),
+            Some(expected),
+            "{blocks}"
+        );
+    }
+    let arc = arcs("G0 X20 Y0 Z0\nG111 X10 Y0\nG3 AP=90 RP=10 F100\nM30\n");
+    assert_eq!(arc, [(10.0, 0.0, false)], "the pole is the centre");
+}
+
+#[test]
+fn drilling_cycles_are_expanded() {
+    let drill = |cycle: &str| clean(&format!("G0 X1 Y2 Z10\nF100\n{cycle}\nM30\n"));
+    for (cycle, expected) in [
+        ("CYCLE81(10,0,2,-5)", &["R 1 2 2", "1 2 -5", "R 1 2 10"][..]),
+        ("CYCLE81(8,1,2,,5)", &["R 1 2 3", "1 2 -4", "R 1 2 8"]),
+        ("CYCLE82(10,0,2,-5,,1.5)", &["R 1 2 2", "1 2 -5", "G4 P1.5", "R 1 2 10"]),
+        (
+            "CYCLE83(10,0,2,-10,,-4,,0,,,1,0)",
+            &["R 1 2 2", "1 2 -4", "1 2 -3", "1 2 -8", "1 2 -7", "1 2 -10", "R 1 2 10"],
+        ),
+        (
+            "CYCLE83(10,0,2,-10,,,6,2,,,1,1)",
+            &["R 1 2 2", "1 2 -6", "R 1 2 2", "R 1 2 -5.4", "1 2 -10", "R 1 2 10"],
+        ),
+        ("G91\nCYCLE81(10,0,2,-5)", &["R 1 2 2", "1 2 -5", "R 1 2 10"]),
+    ] {
+        let made = drill(cycle);
+        assert_eq!(made[1..made.len() - 1], *expected, "{cycle}");
+    }
+    let modal = drill("MCALL CYCLE81(10,0,2,-5)\nX5\nTRANS X10\nY3\nMCALL\nX7");
+    let expected = [
+        "R 5 2 10",
+        "R 5 2 2",
+        "5 2 -5",
+        "R 5 2 10",
+        "R 5 3 10",
+        "R 5 3 2",
+        "5 3 -5",
+        "R 5 3 10",
+        "R 17 3 10",
+    ];
+    assert_eq!(modal[1..modal.len() - 1], expected, "behind every block that moves, until MCALL");
+    for (cycle, code) in [
+        ("CYCLE81(10,0,2,5)", "cycle-not-possible"),
+        ("CYCLE81(10)", "cycle-not-possible"),
+        ("CYCLE83(10,0,2,-10,,-4,,-0.5)", "bad-peck"),
+        ("CYCLE84(10,0,2,-10)", "missing-subprogram"),
+        ("MCALL CYCLE84(10,0,2,-10)", "unknown-name"),
+        ("CYCLE81(10,0,2,-5", "bad-expression"),
+    ] {
+        let program = format!("G0 X1 Y2 Z10\nF100\n{cycle}\nM30\n");
+        assert_eq!(codes(&program, Sinumerik), [code], "{cycle}");
+    }
 }

@@ -1,0 +1,493 @@
+//! SINUMERIK's control structures, variables with names, and subprograms.
+//!
+//! Siemens, SINUMERIK 840D sl / 828D, Programming Manual Job Planning 10/2015: user variables in
+//! section 1.1, repetition of program sections in 1.10, control structures in 1.11, subprograms in 1.24.
+//! Loops are those of the outline with other names; what is here alone is FOR, which counts.
+
+use super::cursor::Cursor;
+use super::expression::{Fault, NO_BRACKET, NO_NUMBER, fault};
+use super::flow::{Destination, Search};
+use super::lexer::{LineReader, quote};
+use super::outline::{Mark, NONE, Outline, Step};
+use super::parameters::{LOCALS, Setting, Target, UNSET};
+use super::run::{Frame, Place, Runner};
+
+/// The names that begin lines of the outline, and from which letter on a beginning and its end have
+/// them in common.
+const STRUCTURES: [(&str, Step, usize); 12] = [
+    ("IF", Step::If, 2),
+    ("ELSE", Step::Else, 4),
+    ("ENDIF", Step::EndIf, 5),
+    ("WHILE", Step::LoopStart, 0),
+    ("ENDWHILE", Step::LoopEnd, 3),
+    ("LOOP", Step::LoopStart, 0),
+    ("ENDLOOP", Step::LoopEnd, 3),
+    ("REPEAT", Step::LoopStart, 6),
+    ("UNTIL", Step::Until, 5),
+    ("FOR", Step::For, 3),
+    ("ENDFOR", Step::EndFor, 6),
+    ("PROC", Step::Program, 4),
+];
+
+/// Names within lines.
+const NAMES: [&str; 10] =
+    ["GOTOF", "GOTOB", "GOTO", "IF", "CASE", "DEF", "PROC", "RET", "REPEAT", "REPEATB"];
+
+/// Most repetitions of a section, and most runs of a subprogram that one call asks for.
+const MOST_TIMES: f64 = 1e9;
+
+/// The mark of a line that begins with the name of a program: `%_N_NAME_MPF`.
+pub(super) fn program_name(mut cursor: Cursor, at: usize, line: u32) -> Option<Mark> {
+    if !cursor.eat_all("%_N_") {
+        return None;
+    }
+    let from = at + cursor.at();
+    let name = cursor.identifier();
+    let mut mark = Mark::plain(at, line, Step::Program);
+    // What it ends with tells its kind: _MPF, _SPF.
+    mark.label = [from, from + name.len().saturating_sub(4)];
+    Some(mark)
+}
+
+/// Reads the name that makes a line one of the outline.
+pub(super) fn structure(cursor: &mut Cursor, mark: &mut Mark) -> Option<()> {
+    cursor.peek();
+    let mut from = cursor.at();
+    let mut name = cursor.identifier();
+    if cursor.eat(b':') {
+        // It was a label.
+        cursor.peek();
+        from = cursor.at();
+        name = cursor.identifier();
+    }
+    let (_, step, common) = STRUCTURES.iter().find(|entry| name.eq_ignore_ascii_case(entry.0))?;
+    mark.step = *step;
+    mark.label = [mark.at + from + common, mark.at + from + name.len()];
+    mark.after = mark.at + cursor.at();
+    let ends = matches!(cursor.peek(), None | Some(b';'));
+    match (step, common) {
+        (Step::Program, _) => {
+            let from = mark.at + cursor.at();
+            mark.label = [from, from + cursor.identifier().len()];
+        }
+        // A jump.
+        (Step::If, _) => {
+            let code = cursor.rest().split(';').next().unwrap_or_default();
+            if code.as_bytes().windows(4).any(|part| part.eq_ignore_ascii_case(b"GOTO")) {
+                return None;
+            }
+        }
+        // Of a section between labels.
+        (Step::LoopStart, 6) if !ends => return None,
+        (Step::LoopStart, _) if ends => mark.after = NONE,
+        _ => {}
+    }
+    Some(())
+}
+
+/// The name under which a variable is kept; those of other dialects never begin with a point.
+fn key(name: &str) -> String {
+    let mut key = String::from(".");
+    key.push_str(name);
+    key.make_ascii_lowercase();
+    key
+}
+
+impl LineReader<'_> {
+    /// A variable: R5, R[…], one with a name, or an element of a field.
+    pub(super) fn variable(&mut self) -> Result<Target, Fault> {
+        let at = self.cursor.at();
+        if matches!(self.cursor.rest().as_bytes(), [b'R' | b'r', b'0'..=b'9' | b'[', ..]) {
+            self.cursor.skip();
+            if self.cursor.peek() == Some(b'[') {
+                return self.target();
+            }
+            if let Some(number) = self.cursor.digits() {
+                return Ok(Target::Number(number));
+            }
+        }
+        if self.cursor.peek() == Some(b'$') {
+            return fault(("unknown-parameter", "only the machine knows this parameter"), at);
+        }
+        let name = self.cursor.identifier();
+        if !name.starts_with(|c: char| c.is_ascii_alphabetic() || c == '_') {
+            return fault(NO_NUMBER, at);
+        }
+        let mut name = key(name);
+        if self.cursor.eat(b'[') {
+            loop {
+                name.push('[');
+                let index = self.expression(1)?.round();
+                name.push_str(&super::number::whole(index).unwrap_or(u32::MAX).to_string());
+                if !self.cursor.eat(b',') {
+                    break;
+                }
+            }
+            if !self.cursor.eat(b']') {
+                return fault(NO_BRACKET, self.cursor.at());
+            }
+        }
+        Ok(Target::Name(name))
+    }
+
+    fn keep(&mut self, name: String, value: f64, from: usize) {
+        let column = self.cursor.column(from);
+        self.settings.push(Setting { target: Target::Name(name), value, column });
+    }
+
+    /// `NAME=…`; false where there is no such variable, and nothing was read.
+    pub(super) fn assigns_variable(&mut self, from: usize) -> bool {
+        self.cursor.set(from);
+        if let Ok(target) = self.variable() {
+            let is_known = match &target {
+                Target::Number(_) => true,
+                Target::Name(name) | Target::Whole(name) => {
+                    let base = name.split('[').next().unwrap_or_default();
+                    self.parameters.name(base).is_some()
+                }
+            };
+            if is_known && self.cursor.eat(b'=') {
+                self.set(target, from);
+                return true;
+            }
+        }
+        self.cursor.set(from);
+        false
+    }
+
+    /// DEF and the kind behind it: the variables that follow.
+    fn define(&mut self) {
+        loop {
+            self.cursor.peek();
+            let from = self.cursor.at();
+            let kind = self.cursor.identifier();
+            if ["NCK", "CHAN", "VAR"].iter().any(|word| kind.eq_ignore_ascii_case(word)) {
+                continue;
+            }
+            let Some(is_whole) = is_whole(kind) else { return self.unknown_name(kind, from) };
+            loop {
+                self.declare(is_whole, 0.0);
+                if !self.cursor.eat(b',') {
+                    return;
+                }
+            }
+        }
+    }
+
+    /// The name of a new variable, and its value if it says so.
+    fn declare(&mut self, is_whole: bool, value: f64) {
+        self.cursor.peek();
+        let from = self.cursor.at();
+        let name = key(self.cursor.identifier());
+        if self.cursor.eat(b'[') {
+            self.cursor.take_while(&|c: char| c != ']');
+            self.cursor.eat(b']');
+        }
+        self.keep(name.clone(), value, from);
+        if self.cursor.eat(b'=') {
+            self.set(Target::Name(name.clone()), from);
+        }
+        if is_whole {
+            let column = self.cursor.column(from);
+            self.settings.push(Setting { target: Target::Whole(name), value: 0.0, column });
+        }
+    }
+
+    /// What stands behind PROC: the name, and the variables that get the arguments of the call.
+    fn procedure(&mut self) {
+        self.cursor.peek();
+        self.cursor.identifier();
+        if self.cursor.eat(b'(') {
+            let mut number = 0;
+            while !matches!(self.cursor.peek(), None | Some(b')' | b';')) {
+                let from = self.cursor.at();
+                let kind = self.cursor.identifier();
+                let Some(is_whole) = is_whole(kind) else { return self.unknown_name(kind, from) };
+                number += 1;
+                let value = self.parameters.name(&argument(number)).unwrap_or(UNSET);
+                self.declare(is_whole, value);
+                self.cursor.eat(b',');
+            }
+            self.cursor.eat(b')');
+        }
+        // SAVE, DISPLOF and their like.
+        self.cursor.take_while(&|c: char| c != ';');
+    }
+
+    /// The arguments in brackets, with [`UNSET`] for those that are left out.
+    pub(super) fn call_arguments(&mut self) -> Result<Vec<f64>, Fault> {
+        let mut values = Vec::new();
+        if !self.cursor.eat(b'(') {
+            return Ok(values);
+        }
+        while self.cursor.peek() != Some(b')') {
+            let left_out = self.cursor.peek() == Some(b',');
+            values.push(if left_out { UNSET } else { self.expression(1)? });
+            if !self.cursor.eat(b',') {
+                break;
+            }
+        }
+        if self.cursor.eat(b')') { Ok(values) } else { fault(NO_BRACKET, self.cursor.at()) }
+    }
+
+    /// A name that changes the order of blocks or makes variables; false where it is another.
+    pub(super) fn flow_name(&mut self, name: &str, from: usize) -> bool {
+        let Some(found) = NAMES.iter().position(|known| name.eq_ignore_ascii_case(known)) else {
+            return false;
+        };
+        self.cursor.peek();
+        let column = self.cursor.column(from);
+        match found {
+            0..=2 => {
+                let search = [Search::Down, Search::Up, Search::DownThenUp][found];
+                let label = self.cursor.identifier().to_owned();
+                self.jump = Some((Destination::Label(label, search), column));
+                // Other conditions may follow.
+                self.cursor.take_while(&|c: char| c != ';');
+            }
+            // What follows counts only where it is true.
+            3 if self.holds() => {}
+            3 => self.pass_jump(),
+            4 => self.choose(),
+            5 => self.define(),
+            6 => self.procedure(),
+            7 => {
+                self.jump = Some((Destination::Return, column));
+                self.cursor.take_while(&|c: char| c != ';');
+            }
+            _ => self.jump = Some((self.section(found == 9), column)),
+        }
+        true
+    }
+
+    /// Moves behind GOTOF and its like with their label.
+    fn pass_jump(&mut self) {
+        for _ in 0..2 {
+            self.cursor.peek();
+            self.cursor.identifier();
+        }
+    }
+
+    /// CASE behind its name: up to the jump that its value chooses, or behind all of them.
+    fn choose(&mut self) {
+        let from = self.cursor.at();
+        let chosen = self.expression(1).and_then(|value| {
+            self.cursor.eat_all("OF");
+            while !matches!(self.cursor.peek(), None | Some(b';')) {
+                if self.cursor.eat_all("DEFAULT") || self.expression(1)? == value {
+                    break;
+                }
+                self.pass_jump();
+            }
+            Ok(())
+        });
+        if let Err(fault) = chosen {
+            self.report_fault(&fault, from, "the rest of the block is left out");
+            self.cursor.skip_all();
+        }
+    }
+
+    /// How often: `P3` or `P=3`; once without.
+    fn times(&mut self) -> u32 {
+        if !self.cursor.eat(b'P') {
+            return 1;
+        }
+        self.cursor.eat(b'=');
+        let times = self.argument().round().clamp(0.0, MOST_TIMES);
+        super::number::whole(times).unwrap_or(0)
+    }
+
+    /// What stands behind REPEAT and REPEATB: one label or two, and how often.
+    fn section(&mut self, is_block: bool) -> Destination {
+        let mut labels = [String::new(), String::new()];
+        for label in &mut labels {
+            self.cursor.peek();
+            let from = self.cursor.at();
+            let name = self.cursor.identifier();
+            let number = name.strip_prefix(['P', 'p']);
+            if number.is_some_and(|digits| digits.bytes().all(|digit| digit.is_ascii_digit())) {
+                self.cursor.set(from);
+                break;
+            }
+            name.clone_into(label);
+        }
+        Destination::Section { labels, is_block, times: self.times() }
+    }
+
+    /// Reads FOR behind its name: whether the loop is run, for the first time or `again`.
+    fn counts(&mut self, again: bool) -> Result<bool, Fault> {
+        self.cursor.peek();
+        let from = self.cursor.at();
+        let target = self.variable()?;
+        let expected = ("bad-expression", "FOR needs a variable, = and TO");
+        if !self.cursor.eat(b'=') {
+            return fault(expected, self.cursor.at());
+        }
+        let mut value = self.expression(1)?;
+        if !self.cursor.eat_all("TO") {
+            return fault(expected, self.cursor.at());
+        }
+        let last = self.expression(1)?;
+        if again {
+            value = self.parameter(&target, from)? + 1.0;
+        }
+        let column = self.cursor.column(from);
+        self.settings.push(Setting { target, value, column });
+        Ok(value <= last)
+    }
+}
+
+/// Whether variables of a kind are whole numbers; none where they are no numbers.
+fn is_whole(kind: &str) -> Option<bool> {
+    for (name, is_whole) in [("REAL", false), ("INT", true), ("BOOL", true)] {
+        if kind.eq_ignore_ascii_case(name) {
+            return Some(is_whole);
+        }
+    }
+    None
+}
+
+/// The name under which an argument of a call is kept.
+fn argument(number: usize) -> String {
+    key(&number.to_string())
+}
+
+impl Runner {
+    /// FOR and ENDFOR.
+    pub(super) fn count_loop(&mut self, outline: &Outline, here: Place) {
+        let is_first = outline.marks.get(here.mark).is_some_and(|mark| mark.step == Step::For);
+        let begin = if is_first { Some(here.mark) } else { outline.partner(here.mark) };
+        let Some((begin, mark)) = begin.and_then(|begin| Some((begin, outline.marks.get(begin)?)))
+        else {
+            return;
+        };
+        let (text, _) = outline.line(mark.at);
+        let cursor = Cursor::new(text, mark.after.saturating_sub(mark.at));
+        let mut reader = self.reader(outline.dialect, cursor);
+        let holds = match reader.counts(!is_first) {
+            Ok(holds) => holds,
+            Err(fault) => {
+                reader.report_fault(&fault, fault.at, "the loop is left out");
+                false
+            }
+        };
+        self.assign();
+        self.jump_behind(outline, if holds { Some(begin) } else { outline.partner(begin) });
+    }
+
+    /// A subprogram by its name.
+    pub(super) fn call_named(
+        &mut self,
+        outline: &Outline,
+        name: &str,
+        arguments: Cursor,
+        column: u32,
+    ) {
+        let (found, looked_at) = outline.find(Step::Program, name);
+        self.count_labels(looked_at);
+        let Some((index, mark)) = found.and_then(|index| Some((index, outline.marks.get(index)?)))
+        else {
+            return self.no_subprogram(&quote(name), column);
+        };
+        let mut reader = self.reader(outline.dialect, arguments);
+        let values = reader.call_arguments();
+        let times = reader.times();
+        let values = values.unwrap_or_else(|fault| {
+            reader.report_fault(&fault, fault.at, "the call has no arguments");
+            Vec::new()
+        });
+        let start = Place { at: mark.at, line: mark.line, mark: index };
+        if times > 0 && self.enter(start, times, Some((&[UNSET; LOCALS], 0)), false) {
+            for (i, value) in values.into_iter().enumerate() {
+                self.parameters.set_name(argument(i + 1), value);
+            }
+        }
+    }
+
+    /// M17, RET, and M2 or M30 of a subprogram.
+    pub(super) fn return_named(&mut self) {
+        while self.frames.pop_if(|frame| frame.until > 0).is_some() {}
+        if self.frames.is_empty() {
+            self.end(true);
+        } else {
+            self.leave();
+        }
+    }
+
+    /// The block with a label (`NAME:`), or with a number where it is one behind N.
+    pub(super) fn find_label(
+        &mut self,
+        outline: &Outline,
+        label: &str,
+        search: Search,
+    ) -> Option<Place> {
+        let here = self.place.at;
+        let (mut found, mut looked_at) = (None, 0);
+        let bounds = outline.program_around(here.saturating_sub(1));
+        let (mut at, mut line) = (outline.first, 1_u32);
+        while at < bounds.1 && !(search == Search::Up && at >= here) {
+            let (text, next) = outline.line(at);
+            looked_at += 1;
+            let within = at >= if search == Search::Down { here } else { bounds.0 };
+            if within && is_labelled(text, label) {
+                found = Some(Place { at, line, mark: outline.mark_from(at) });
+                if at >= here {
+                    break;
+                }
+            }
+            (at, line) = (next, line.saturating_add(1));
+        }
+        self.count_labels(looked_at);
+        found
+    }
+
+    /// Where a section between labels begins, and the line before which it ends.
+    pub(super) fn find_section(
+        &mut self,
+        outline: &Outline,
+        labels: &[String; 2],
+        is_block: bool,
+    ) -> Option<(Place, u32)> {
+        let here = self.block.line;
+        let [first, last] = labels;
+        let whole = !is_block && last.is_empty();
+        let search = if whole { Search::Up } else { Search::DownThenUp };
+        let start = self.find_label(outline, first, search)?;
+        let until = if whole {
+            here
+        } else if is_block {
+            start.line.saturating_add(1)
+        } else {
+            self.find_label(outline, last, Search::DownThenUp)?.line.saturating_add(1)
+        };
+        Some((start, until))
+    }
+
+    /// Runs a section again.
+    pub(super) fn repeat_section(&mut self, start: Place, until: u32, times: u32) {
+        if times > 0
+            && self.enter(start, times, None, false)
+            && let Some(Frame { until: end, .. }) = self.frames.last_mut()
+        {
+            *end = until;
+        }
+    }
+}
+
+/// Whether a line has such a label, or such a number with its N.
+fn is_labelled(text: &str, label: &str) -> bool {
+    let mut cursor = Cursor::new(text, 0);
+    loop {
+        cursor.peek();
+        let name = cursor.identifier();
+        let is_number = name.starts_with(['N', 'n'])
+            && name.len() > 1
+            && name.bytes().skip(1).all(|digit| digit.is_ascii_digit());
+        if name.eq_ignore_ascii_case(label) && (is_number || cursor.eat(b':')) {
+            return true;
+        }
+        if !is_number {
+            return false;
+        }
+    }
+}
