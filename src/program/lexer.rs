@@ -50,6 +50,11 @@ impl LineReader<'_> {
             match c {
                 b'/' => {
                     self.cursor.skip();
+                    // Two of them begin a comment.
+                    if !self.interpreter.rules.is_strict && self.cursor.eat(b'/') {
+                        self.cursor.skip_all();
+                        return false;
+                    }
                     // A digit names the switch.
                     if matches!(self.cursor.peek(), Some(b'0'..=b'9')) {
                         self.cursor.skip();
@@ -382,29 +387,6 @@ impl LineReader<'_> {
                 self.cursor.skip();
             } else {
                 self.cursor.take_while(&|c: char| !c.is_ascii());
-            }
-        }
-    }
-
-    /// SINUMERIK's addresses with a number and `=`, of which R is a parameter.
-    fn address(&mut self, letter: u8, number: f64, from: usize) {
-        self.cursor.skip();
-        match whole(number) {
-            Some(number) if letter == b'R' && number <= super::parameters::LAST => {
-                self.set(Target::Number(number), from);
-            }
-            Some(1) if matches!(letter, b'I'..=b'K') => {
-                // The point between of CIP.
-                let value = self.expression(1);
-                self.accept_value(letter - b'I' + b'x', value, from);
-            }
-            // Words of the first spindle.
-            Some(1) if matches!(letter, b'M' | b'S') => self.assigned(letter, from),
-            _ => {
-                let value = self.expression(1);
-                let unknown = Fault { code: "unknown-name", message: "it is not known", at: from };
-                let fault = value.as_ref().err().unwrap_or(&unknown);
-                self.report_fault(fault, from, "it is left out");
             }
         }
     }

@@ -65,6 +65,7 @@ mod system;
 mod target;
 mod transforms;
 mod type_points;
+mod variables;
 mod words;
 
 pub use block::{Block, Word};

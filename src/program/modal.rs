@@ -47,6 +47,8 @@ pub(super) struct Modal {
     /// How the spindle turns: the number of its M word.
     pub(super) spindle: Option<u32>,
     pub(super) cycle: CycleNumbers,
+    /// The motion word before the cycle.
+    pub(super) before_cycle: Option<Motion>,
     /// From programmed to program coordinates.
     pub(super) frame: Frame,
     pub(super) systems: Systems,
@@ -98,6 +100,7 @@ impl Modal {
             feed: Feed::new(),
             spindle: None,
             cycle: CycleNumbers::default(),
+            before_cycle: None,
             frame: Frame::new(),
             systems: Systems::new(),
             selected: None,

@@ -5,6 +5,7 @@ use glam::DVec3;
 use super::auxiliary::{Auxiliary, append_word, rank, take_as_text, word as text_of};
 use super::block::{Block, Word};
 use super::coordinates::AXES;
+use super::dialect::Dialect;
 use super::g_words::{Act, Compensation, GWord, Motion, g_word};
 use super::interpret::Interpreter;
 use super::words::{Words, tenths};
@@ -79,7 +80,9 @@ impl Interpreter {
     ) {
         let strict = self.rules.is_strict;
         if let Some(group) = meaning.group(strict) {
-            if demands.groups >> group & 1 == 1 {
+            let same = |other: &&Word| other.letter == 'G' && other.value == word.value;
+            let repeats = !strict && block.words.iter().filter(same).count() > 1;
+            if demands.groups >> group & 1 == 1 && !repeats {
                 self.error(
                     "conflicting-words",
                     format!(
@@ -103,10 +106,12 @@ impl Interpreter {
             GWord::Motion(motion) => {
                 demands.motion = Some(motion);
                 demands.family = None;
-                modal.motion = Some(motion);
                 if !matches!(motion, Motion::Cycle(_)) {
                     modal.cycle.end();
+                } else if !matches!(modal.motion, Some(Motion::Cycle(_))) {
+                    modal.before_cycle = modal.motion;
                 }
+                modal.motion = Some(motion);
             }
             GWord::Once(motion) => {
                 demands.once = Some(motion);
@@ -119,8 +124,14 @@ impl Interpreter {
             GWord::PolarInterpolation(on) => self.polar_interpolation(block, word, on),
             GWord::SplineFamily => demands.family = Some((number, word.column)),
             GWord::EndOfCycle => {
-                // Another motion word in the block is what counts.
-                modal.motion = demands.motion;
+                // Another motion word in the block is what counts. FANUC's cycles leave the one before
+                // them in effect.
+                let cycle = matches!(modal.motion, Some(Motion::Cycle(_)));
+                modal.motion = match demands.motion {
+                    None if self.dialect == Dialect::Fanuc && cycle => modal.before_cycle,
+                    None if self.dialect == Dialect::Fanuc => modal.motion,
+                    stated => stated,
+                };
                 modal.cycle.end();
             }
             GWord::Dwell => demands.dwell = Some(word),

@@ -3,7 +3,8 @@
 //!
 //! Siemens, SINUMERIK 840D sl / 828D Fundamentals, Programming Manual 10/2015: labels and GOTO in
 //! section 2.15 of Job Planning; AC and IC in 7.2, frames (TRANS, ROT, SCALE, MIRROR) in 12 of
-//! Fundamentals. Loops, variables with names and subprograms are in `structures`, cycles in `drilling`.
+//! Fundamentals. Loops and subprograms are in `structures`, what has a name in `variables`, cycles
+//! in `drilling`.
 
 use glam::{DVec2, DVec3};
 
@@ -11,16 +12,19 @@ use super::axes::Axes;
 use super::block::{Block, Word};
 use super::coordinates::AXES;
 use super::dialect::Dialect;
+use super::expression::Fault;
 use super::flow::Destination;
 use super::frame::{Frame, polar_point, radians};
 use super::interpret::Interpreter;
 use super::lexer::{LineReader, quote};
+use super::number::whole;
+use super::parameters::{LAST, Target};
 use super::spline_words::{ADDRESSES, NAMES};
 use super::words::Words;
 
 /// What moves no tool by itself: how the control follows the path, what it shows, what it waits for.
 const WITHOUT_EFFECT: &str = "FFWON FFWOF SOFT BRISK DRIVE COMPON COMPCURV COMPCAD COMPSURF COMPOF \
-    CFC CFTCP CFIN FGROUP UPATH SPATH STOPRE FNORM EXTERN DIAMOF WALIMON WALIMOF WORKPIECE CYCLE832 SBLON SBLOF \
+    CFC CFTCP CFIN FGROUP UPATH SPATH STOPRE FNORM DIAMOF WALIMON WALIMOF WORKPIECE CYCLE832 SBLON SBLOF \
     DISPLOF ADIS ADISPOS LIMS SPOS SETMS TRAFOOF ORIWKS ORIMKS DYNNORM DYNPOS DYNROUGH DYNSEMIFIN \
     DYNFINISH CUT2D CUT2DF CDOF";
 
@@ -113,6 +117,35 @@ impl LineReader<'_> {
             self.unknown_name(name, from);
         }
         true
+    }
+
+    /// SINUMERIK's addresses with a number and `=`, of which R is a parameter.
+    pub(super) fn address(&mut self, letter: u8, number: f64, from: usize) {
+        self.cursor.skip();
+        match whole(number) {
+            Some(number) if letter == b'R' && number <= LAST => {
+                self.set(Target::Number(number), from);
+            }
+            Some(1) if matches!(letter, b'I'..=b'K') => {
+                // The point between of CIP.
+                let value = self.expression(1);
+                self.accept_value(letter - b'I' + b'x', value, from);
+            }
+            // Words of the first spindle; others move no tool of this program.
+            Some(1) if matches!(letter, b'M' | b'S') => self.assigned(letter, from),
+            Some(_) if matches!(letter, b'M' | b'S') => {
+                // What it is, does not matter.
+                let _ = self.expression(1);
+                let column = self.cursor.column(from);
+                self.interpreter.note(self.block, column, self.cursor.since(from));
+            }
+            _ => {
+                let value = self.expression(1);
+                let unknown = Fault { code: "unknown-name", message: "it is not known", at: from };
+                let fault = value.as_ref().err().unwrap_or(&unknown);
+                self.report_fault(fault, from, "it is left out");
+            }
+        }
     }
 
     /// Whether a word leads back from a subprogram: M17, and there M2 and M30 too.

@@ -159,3 +159,12 @@ fn what_a_cycle_cannot_do_is_reported() {
         assert_eq!(seen, [(code, ERROR, 2)], "{text}: {:?}", read.diagnostics);
     }
 }
+
+#[test]
+fn the_motion_before_fanucs_cycles_is_in_effect_after_them() {
+    let read = read_as_fanuc("G0 X0 Y0 Z9\nG99 G81 X1 Z-2 R1 F60\nX2\nG80 Z20\nG80 X3\nM30\n");
+    assert!(read.diagnostics.is_empty(), "{:?}", read.diagnostics);
+    assert_eq!(after(8, &read), ["R 2 0 20", "R 3 0 20", "M30"], "{:?}", steps(&read));
+    let cuts = read_as_fanuc("G0 X0 Y0 Z9\nG1 X1 F60\nG81 X1 Z-2 R1\nG80 Z20\n");
+    assert_eq!(steps(&cuts).last().map(String::as_str), Some("1 0 20"), "G01, which was before");
+}

@@ -4,7 +4,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use g41::program::{Dialect, Program, Rules, interpret};
 
-use super::sample::{ERROR, WARNING, found, read, read_clean, steps};
+use super::sample::{ERROR, WARNING, found, read, read_clean, steps, xs};
 
 #[test]
 fn the_end_of_cycles_beside_another_motion_word_leaves_that_one() {
@@ -82,4 +82,12 @@ fn a_lathe_program_that_does_not_say_its_plane_is_told() {
     assert_eq!(codes, ["doubtful-plane"], "Y is never stated");
     let said = read(&text.replace("G21", "G21 G18"));
     assert_eq!(said.diagnostics, [], "with G18 all is well");
+}
+
+#[test]
+fn what_stands_twice_excludes_nothing() {
+    let read = read_clean("G0 G0 X1 Y0 F9\nG90 G1 G90 X2\n// no block\n");
+    assert_eq!(steps(&read), ["R 1 0 0", "2 0 0"], "and two slashes begin a comment");
+    let short = "#1=0\nG0 X9\nWH[#1LT3]DO1;\n#1=#1+1\nX#1\nEND1\nM30\n";
+    assert_eq!(xs(short, Dialect::Fanuc), [9.0, 1.0, 2.0, 3.0], "two letters for WHILE");
 }

@@ -222,6 +222,11 @@ fn variables_have_names_kinds_and_fields() {
         let program = format!("G0\n{text}\nM30\n");
         assert_eq!(xs(&program, Sinumerik), [expected], "{text}");
     }
+    for quiet in
+        ["EXTERN SUB1(VAR REAL[3], INT)\nG0 X1\nM30\n", "G0 X1 M1=3 S1=900\nS3=100 M3=5\nM30\n"]
+    {
+        clean(quiet);
+    }
     assert_eq!(codes("G0 X1\nX=WIDTH\nM30\n", Sinumerik), ["unset-parameter"], "never defined");
     assert_eq!(codes("G0 X1\nWIDTH=5\nM30\n", Sinumerik), ["unknown-name"], "set, not defined");
     assert_eq!(codes("DEF STRING[9] AA\nG0 X1\nM30\n", Sinumerik), ["unknown-name"], "no number");

@@ -86,7 +86,7 @@ pub(crate) fn words(random: &mut Random, count: usize) -> String {
 
 /// Blocks of curves, and words between them, in no order.
 pub(crate) fn curves(random: &mut Random, count: usize) -> String {
-    const HEADS: [&str; 48] = [
+    const HEADS: [&str; 58] = [
         "G5",
         "G5.1",
         "G5.2",
@@ -135,6 +135,16 @@ pub(crate) fn curves(random: &mut Random, count: usize) -> String {
         "CIP I1=1 J1=-2",
         "G3 AR=90",
         "G2 TURN=2",
+        "G111 X5 Y2",
+        "G110 AP=30 RP=4",
+        "AP=50 RP=10",
+        "RP=IC(3)",
+        "G3 AP=-80",
+        "MCALL CYCLE83(9,0,1,-7,,-3,,0.8,,,1,1)",
+        "MCALL",
+        "CYCLE82(9,0,1,,4,0.2)",
+        "AA:",
+        "REPEATB AA P=2",
     ];
     const WORDS: [&str; 14] =
         ["X", "Y", "X", "Y", "X", "Y", "Z", "I", "J", "P", "Q", "K", "R", "L"];
@@ -215,7 +225,7 @@ pub(crate) fn line(random: &mut Random) -> String {
     let number = random.pick(&["1", "2", "10", "20", "5"]);
     let mut value = |depth| value(random, depth);
     let [a, b, c] = [value(3), value(2), value(1)];
-    match random.below(34) {
+    match random.below(46) {
         0 => format!("o{label} sub"),
         1 => format!("o{label} endsub {a}"),
         2 | 3 => format!("o{label} call [{a}] [{b}]"),
@@ -250,6 +260,22 @@ pub(crate) fn line(random: &mut Random) -> String {
         29 => format!("N{number} G91 G1 X{a} F{b}"),
         30 => format!("G{} X{a} Y{b} R{c}", random.pick(&["0", "1", "2", "3", "5", "81"])),
         31 => format!("{} {}", words(random, 4).replace('\n', " "), a),
+        33 => format!("WHILE {a}<{b}"),
+        34 => random.pick(&["ENDWHILE", "ENDFOR", "ENDLOOP", "ENDIF", "ELSE"]).to_owned(),
+        35 => format!("FOR R{number}={a} TO {b}"),
+        36 => random.pick(&["LOOP", "REPEAT", "ENDFOR", "ENDIF", "AA: BB:"]).to_owned(),
+        37 => format!("UNTIL R{number}=={a}"),
+        38 => format!("IF R{number}<>{a}"),
+        39 => format!("CASE {a} OF {b} GOTOF AA DEFAULT GOTO BB"),
+        40 => format!("DEF {} AA={a}, BB[3], CC", random.pick(&["INT", "REAL", "BOOL"])),
+        41 => format!("AA={a} BB[{b}]=AA*2 R[{c}]=CC"),
+        42 => format!("{} SUB1({a},,{b}) P{number}", random.pick(&["", "PROC", "MCALL"])),
+        43 => random.pick(&["%_N_SUB1_SPF", "PROC SUB1(REAL AA)", "M17", "RET"]).to_owned(),
+        44 => format!(
+            "{} AA {} P={number}",
+            random.pick(&["REPEAT", "REPEATB"]),
+            random.pick(&["", "BB"])
+        ),
         32 => format!("/{number} G0 X{a} (c) ; {b}"),
         _ => characters(random, 12),
     }
