@@ -9,6 +9,7 @@ use super::block::{Block, Word};
 use super::frame::radians;
 use super::interpret::Interpreter;
 use super::number::whole;
+use super::open::arc_tolerance;
 use super::words::Words;
 use crate::contour::{Attributes, Shape};
 use crate::geometry::{Curve, CurveError, RadiusForm, perp, rotate, sin_cos, turn};
@@ -136,7 +137,7 @@ impl Interpreter {
     fn turning(&mut self, shape: Shape, turns: u32, attributes: Attributes) {
         let from = attributes.plane.split(self.modal.position).0;
         let arc = if turns > 1 {
-            shape.curve(from, self.rules.any_lead.then_some(f64::INFINITY))
+            shape.curve(from, self.rules.any_lead.then(|| arc_tolerance(self.course.unit)))
         } else {
             Err(CurveError::ZeroLength)
         };

@@ -214,12 +214,14 @@ impl Interpreter {
             50 => self.modal.spindle = None,
             60 => {
                 self.modal.change_tool();
+                self.course.change_tool(&mut self.report);
                 self.changed_while_on(block, found, "the tool");
             }
             610 => {
                 if let Some(number) = words.find('Q').and_then(|word| whole(word.value)) {
                     self.modal.select_tool(number);
                     self.modal.change_tool();
+                    self.course.change_tool(&mut self.report);
                 }
             }
             _ => {}

@@ -10,7 +10,7 @@ use super::corner_cuts::{CornerWord, PendingCorner};
 use super::items::{
     ContourEnd, ContourStart, Item, OrientationSource, ProgrammedContour, RadiusSource,
 };
-use super::open::{Open, fault_of, line_of, refuse_arc};
+use super::open::{Open, changed, fault_of, line_of, refuse_arc};
 use super::report::Report;
 use super::rules::{ControlWords, Rules};
 use super::spline_words::end_heading;
@@ -162,8 +162,25 @@ impl Course {
                 self.close(open, None, ContourEnd::Off, report);
                 self.state = State::On(Open::new(switched, at, None, self.rules));
             }
+            state => {
+                self.state = state;
+                self.end_without_line(ContourEnd::Off, report);
+            }
+        }
+    }
+
+    /// The tool changes: after G40 a control that looks ahead takes where it is for where the program is.
+    pub(super) fn change_tool(&mut self, report: &mut Report) {
+        if self.rules.any_lead {
+            self.end_without_line(ContourEnd::Beside, report);
+        }
+    }
+
+    /// Ends a contour that is switched off, where no straight move leads out of it.
+    fn end_without_line(&mut self, end: ContourEnd, report: &mut Report) {
+        match std::mem::replace(&mut self.state, State::Off) {
             State::Ending(open) => {
-                self.close(open, None, ContourEnd::Off, report);
+                self.close(open, None, end, report);
                 self.needs_a_line = self.rules.any_lead;
             }
             state => self.state = state,
@@ -299,22 +316,19 @@ impl Course {
                 open.segment(shape, attributes);
                 self.state = State::On(open);
             }
-            State::Ending(open) if self.rules.any_lead => {
-                self.close(open, None, ContourEnd::Off, report);
-                refuse_arc(&mut self.items, from, &shape, origin);
-                self.free_curve(from, shape, attributes, report);
-            }
             State::Ending(open) => {
-                report.push(
-                    Diagnostic::error(
-                        "curved-lead-out",
-                        "compensation is switched off before an arc or a spline",
-                    )
-                    .with_origin(origin)
-                    .with_point(from)
-                    .with_hint("lead out with a straight move (G00 or G01) first"),
-                );
                 self.close(open, None, ContourEnd::Off, report);
+                if self.rules.any_lead {
+                    refuse_arc(&mut self.items, from, &shape, origin);
+                } else {
+                    let message = "compensation is switched off before an arc or a spline";
+                    report.push(
+                        Diagnostic::error("curved-lead-out", message)
+                            .with_origin(origin)
+                            .with_point(from)
+                            .with_hint("lead out with a straight move (G00 or G01) first"),
+                    );
+                }
                 self.free_curve(from, shape, attributes, report);
             }
         }
@@ -358,23 +372,21 @@ impl Course {
                 }
                 self.state = State::On(open);
             }
-            State::Ending(open) if self.rules.any_lead => {
-                self.close(open, None, ContourEnd::Off, report);
-                self.state = State::Waiting(switched);
-                self.needs_a_line = true;
-            }
             State::Ending(open) => {
-                report.push(
-                    Diagnostic::warning(
-                        "no-lead-out",
-                        "compensation is switched off and on again without a move between",
-                    )
-                    .with_origin(switched.origin)
-                    .with_point(at)
-                    .with_hint("lead out with a straight move before G41 or G42"),
-                );
+                if !self.rules.any_lead {
+                    report.push(
+                        Diagnostic::warning(
+                            "no-lead-out",
+                            "compensation is switched off and on again without a move between",
+                        )
+                        .with_origin(switched.origin)
+                        .with_point(at)
+                        .with_hint("lead out with a straight move before G41 or G42"),
+                    );
+                }
                 self.close(open, None, ContourEnd::Off, report);
                 self.state = State::Waiting(switched);
+                self.needs_a_line = self.rules.any_lead;
             }
         }
     }
@@ -437,8 +449,7 @@ impl Course {
             open.builder.lead_out(lead);
             last_line = line_of(lead.attributes.origin);
         }
-        let empty = open.builder.is_empty();
-        if !empty {
+        if !open.builder.is_empty() {
             self.segments += open.builder.len() + open.events.len();
             let built = open.builder.build(false);
             for found in built.diagnostics {
@@ -486,15 +497,4 @@ impl Course {
             self.free_line(at, lead.point, &lead.attributes);
         }
     }
-}
-
-/// Compensation changes while it is on, where no control is known to have rules for it.
-fn changed(code: &'static str, what: &str, origin: Origin, at: DVec2) -> Diagnostic {
-    Diagnostic::warning(code, format!("{what} changes while compensation is on"))
-        .with_origin(origin)
-        .with_point(at)
-        .with_hint(
-            "the tool goes straight to its new place beside this point; lead out (G40) and in \
-             again to keep it off the part",
-        )
 }

@@ -68,6 +68,9 @@ pub enum ContourStart {
 pub enum ContourEnd {
     /// Compensation is switched off, or the program ends.
     Off,
+    /// It is switched off, and the tool changed before the next move: whatever no word states stays where
+    /// the tool is, beside the contour.
+    Beside,
     /// Its last segment is the first of the next contour, on which the radius changes.
     Tapers,
     /// The control stops in the middle of it, and makes no move whose end it does not know yet.

@@ -91,7 +91,7 @@ impl Open {
 
 /// How much the radii of an arc may differ as `LinuxCNC` has it [mm]: a tenth as many inches as
 /// millimetres.
-fn arc_tolerance(unit: f64) -> f64 {
+pub(super) fn arc_tolerance(unit: f64) -> f64 {
     if unit > 1.0 { 0.1 * ARC_TOLERANCE * unit } else { ARC_TOLERANCE }
 }
 
@@ -148,4 +148,15 @@ pub(super) fn refuse_arc(items: &mut [Item], from: DVec2, shape: &Shape, origin:
                 .with_hint("lead out with a straight move (G00 or G01) first"),
         ));
     }
+}
+
+/// Compensation changes while it is on, where no control is known to have rules for it.
+pub(super) fn changed(code: &'static str, what: &str, origin: Origin, at: DVec2) -> Diagnostic {
+    Diagnostic::warning(code, format!("{what} changes while compensation is on"))
+        .with_origin(origin)
+        .with_point(at)
+        .with_hint(
+            "the tool goes straight to its new place beside this point; lead out (G40) and in \
+             again to keep it off the part",
+        )
 }

@@ -7,7 +7,7 @@ use crate::compensation::{Options, Passage, look_ahead};
 use crate::contour::{Plane, Tool, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin, Severity};
 use crate::geometry::sin_cos;
-use crate::program::{ContourEnd, ProgrammedContour};
+use crate::program::{ContourEnd, ProgrammedContour, RadiusSource};
 
 /// The path of a contour, and whether the control goes on after it. `orientation` is that of the
 /// tool, `origin` the block that switches on.
@@ -28,7 +28,8 @@ pub(super) fn with_look_ahead(
             .with_hint("the control stops here, and so does the path");
         return (ToolPath { diagnostics: vec![refused], ..ToolPath::default() }, false);
     }
-    let passage = Passage { leads_in: *leads_in, is_cut_off, tip, unit: *unit };
+    let is_listed = matches!(programmed.radius, RadiusSource::Tool(_));
+    let passage = Passage { leads_in: *leads_in, is_cut_off, tip, unit: *unit, is_listed };
     let (mut path, mut finished) = look_ahead(contour, tool, options, &passage);
     if let ContourEnd::Refused(why) = &programmed.end
         && finished

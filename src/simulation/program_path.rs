@@ -1,6 +1,6 @@
 //! The tool path of a whole program: its contours compensated, everything else in its place.
 
-use glam::{DVec2, DVec3};
+use glam::{BVec2, DVec2, DVec3};
 
 use super::Tools;
 use super::ahead::with_look_ahead;
@@ -112,6 +112,8 @@ struct Course {
     path: ToolPath,
     /// Whether the coordinates are others since the last move: the next one starts where it says.
     is_reset: bool,
+    /// What moves do not change stays where the tool is, beside the last contour.
+    stays_beside: bool,
     /// The control has refused to go on.
     is_stopped: bool,
 }
@@ -166,13 +168,16 @@ impl Course {
     /// not go back to the program with it.
     fn free(&mut self, free: Move, goes_back: bool) {
         let Some((at, height)) = self.elsewhere(&free) else {
+            self.stays_beside = false;
             self.path.moves.push(free);
             return;
         };
+        let unchanged = free.curve.end().cmpeq(free.curve.start());
+        let stays = if self.stays_beside { unchanged } else { BVec2::FALSE };
+        let to = DVec2::select(stays, at, free.curve.end());
         let curve = match free.curve {
             MoveCurve::Vertical(_) if !goes_back => MoveCurve::Vertical(at),
-            MoveCurve::Vertical(to) => line_from(at, to),
-            MoveCurve::Line(line) => line_from(at, line.end()),
+            MoveCurve::Vertical(_) | MoveCurve::Line(_) => line_from(at, to),
             MoveCurve::Arc(_) | MoveCurve::Cubic(_) | MoveCurve::Involute(_) => {
                 self.join((at, height), &free, Role::Free);
                 self.path.moves.push(free);
@@ -256,6 +261,7 @@ impl Course {
                 _ => self.join((at, height), first, Role::Transition),
             }
         }
+        self.stays_beside = programmed.end == ContourEnd::Beside;
         let own = compensated.moves.len();
         self.path.append(compensated);
         self.path.contours.push([before, self.path.moves.len()]);

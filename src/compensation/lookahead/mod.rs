@@ -31,7 +31,8 @@ use crate::contour::{
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Arc, Curve, direction, perp, turn};
 
-/// How little what is as long as the tool radius may seem longer, by turning inches into mm [mm].
+/// How little what is as long as the tool radius may seem longer, by turning inches into mm [mm]; and
+/// how much it is longer than one from a table, which the control itself makes a trifle smaller.
 const SAME_LENGTH: f64 = 1e-9;
 
 /// How far the centre of the full circles of an arc of several turns may lie from its own [mm]: where
@@ -56,11 +57,13 @@ pub struct Passage {
     pub tip: DVec2,
     /// The unit of the program [mm].
     pub unit: f64,
+    /// The tool radius is from a table, not from the program itself.
+    pub is_listed: bool,
 }
 
 impl Default for Passage {
     fn default() -> Self {
-        Self { leads_in: false, is_cut_off: false, tip: DVec2::ZERO, unit: 1.0 }
+        Self { leads_in: false, is_cut_off: false, tip: DVec2::ZERO, unit: 1.0, is_listed: false }
     }
 }
 
@@ -267,7 +270,12 @@ impl<'a> Control<'a> {
 
     /// What has to be longer than the tool radius is longer than this [mm].
     fn least_length(&self) -> f64 {
-        self.tool.radius() + if self.passage.unit > 1.0 { SAME_LENGTH } else { 0.0 }
+        let more = match self.passage {
+            Passage { unit, .. } if unit <= 1.0 => 0.0,
+            Passage { is_listed: true, .. } => -SAME_LENGTH,
+            Passage { .. } => SAME_LENGTH,
+        };
+        self.tool.radius() + more
     }
 
     /// Whether the tool is on the inside of an arc.

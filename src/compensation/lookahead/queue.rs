@@ -139,8 +139,10 @@ impl Queue {
                         return Err(TOO_SHORT);
                     }
                     let more = MORE_TURN[usize::from(self.inches)];
+                    // Cut short to nothing it does not turn at all.
                     let turns = |start| swept(start - center, end - center, clockwise).abs();
-                    if self.start.is_some_and(|start| turns(start) > sweep.abs() + more) {
+                    let is_longer = |turns| turns > sweep.abs() + more && turns < TAU - SAME_PLACE;
+                    if self.start.is_some_and(|start| is_longer(turns(start))) {
                         return Err(TOO_SHORT);
                     }
                 }
@@ -183,15 +185,15 @@ impl Queue {
         }
     }
 
-    /// The lead-in of a lathe tool along an arc begins by a straight move, which the control moves to
-    /// the end of the arc along with the arc's own: the arc itself becomes a full circle.
-    fn circle(&mut self, attributes: &Attributes, at: DVec2) {
-        let message = "the control makes a full circle of the lead-in arc of a lathe tool";
+    /// Of an arc that ends where it begins the control makes a full circle: where a corner leaves nothing
+    /// of it, and of the lead-in of a lathe tool, as the straight move before it already goes to its end.
+    fn tell_circle(&mut self, attributes: &Attributes) {
+        let message = "the control makes a full circle of this arc, as nothing is left of it";
         self.path.diagnostics.push(
-            Diagnostic::warning("lead-in-circle", message)
+            Diagnostic::warning("full-circle", message)
                 .with_origin(attributes.origin)
-                .with_point(at)
-                .with_hint("lead in with a straight move"),
+                .with_point(self.pen)
+                .with_hint("lead in with a straight move, or take a smaller tool"),
         );
     }
 
@@ -217,18 +219,13 @@ impl Queue {
                         attributes.heights = [start + climb, end];
                     }
                 }
-                let is_point = self.pen.distance(to) < MIN_LENGTH && sweep.abs() < 0.999 * TAU;
-                if is_point && role == Role::LeadIn && self.tip != DVec2::ZERO {
-                    self.circle(&attributes, to);
-                }
                 // A circle that ends a little behind its start goes round once more.
                 let turned = swept(self.pen - center - self.tip, to - center - self.tip, clockwise);
-                let is_circle = sweep.abs() > 0.999 * TAU && turned.abs() < SAME_PLACE;
-                let to = if is_circle { self.pen } else { to };
-                // Cut short to nothing, an arc does not become a full circle, but for one case.
-                let is_left_out = is_point && role != Role::LeadIn;
-                let arc = Arc::winding(self.pen, to, center + self.tip, clockwise);
-                arc.ok().filter(|_| !is_left_out).map(MoveCurve::Arc)
+                let to = if turned.abs() < SAME_PLACE { self.pen } else { to };
+                if self.pen.distance(to) < MIN_LENGTH && sweep.abs() < 0.999 * TAU {
+                    self.tell_circle(&attributes);
+                }
+                Arc::winding(self.pen, to, center + self.tip, clockwise).ok().map(MoveCurve::Arc)
             }
         };
         let curve = curve.or(climbs.then_some(MoveCurve::Vertical(self.pen)));
