@@ -44,6 +44,14 @@ test("several programs are judged one after the other, and one that is wrong dec
   );
 });
 
+test("many programs are judged without a word of Node.js", async () => {
+  // Each of them is written to standard output, whose listeners once added up to a warning.
+  const files = Array.from({ length: 12 }, () => "good.ngc");
+  const { code, out, err } = await g41(["check", ...files, "--radius", "3"]);
+  assert.deepEqual([code, err], [0, ""]);
+  assert.equal(out.trimEnd().split("\n").length, 12);
+});
+
 test("--json writes what is found with each program, and the exit code stays", async () => {
   const args = ["check", "good.ngc", "narrow.ngc", "wrong.ngc", "--radius", "3", "--json"];
   const { code, out } = await g41(args);

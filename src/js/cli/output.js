@@ -86,24 +86,16 @@ async function writeFile(path, pieces, encoding) {
  * @param {boolean} [ends] whether the stream ends here
  */
 async function pour(stream, pieces, encoding, ends = false) {
-  /** @type {Error | undefined} */
-  let failure;
-  /** @type {Promise<void>} */
-  const failed = new Promise((resolve) => {
-    stream.on("error", (error) => {
-      failure = error;
-      resolve();
-    });
-  });
+  const trouble = troubleOf(stream);
   for (const piece of pieces) {
-    if (failure) {
+    if (trouble.error) {
       break;
     }
     if (!stream.write(piece, encoding)) {
-      await Promise.race([new Promise((resolve) => stream.once("drain", resolve)), failed]);
+      await Promise.race([new Promise((resolve) => stream.once("drain", resolve)), trouble.came]);
     }
   }
-  if (!failure) {
+  if (!trouble.error) {
     /** @type {Promise<void>} */
     const arrived = new Promise((resolve) => {
       if (ends) {
@@ -112,12 +104,42 @@ async function pour(stream, pieces, encoding, ends = false) {
         stream.write("", () => resolve());
       }
     });
-    await Promise.race([arrived, failed]);
+    await Promise.race([arrived, trouble.came]);
   }
   // Who reads standard output may have read enough.
-  if (failure && /** @type {NodeJS.ErrnoException} */ (failure).code !== "EPIPE") {
-    throw failure;
+  const { error } = trouble;
+  if (error && /** @type {NodeJS.ErrnoException} */ (error).code !== "EPIPE") {
+    throw error;
   }
+}
+
+/** @typedef {{ error: Error | undefined, came: Promise<void> }} Trouble */
+
+/** @type {WeakMap<import("node:stream").Writable, Trouble>} */
+const troubles = new WeakMap();
+
+/**
+ * What goes wrong with a stream. It is listened to once, and until the end: standard output is written
+ * to for each program, and may fail after that.
+ *
+ * @param {import("node:stream").Writable} stream
+ * @returns {Trouble}
+ */
+function troubleOf(stream) {
+  const known = troubles.get(stream);
+  if (known) {
+    return known;
+  }
+  /** @type {Trouble} */
+  const trouble = { error: undefined, came: Promise.resolve() };
+  trouble.came = new Promise((resolve) => {
+    stream.on("error", (error) => {
+      trouble.error = error;
+      resolve();
+    });
+  });
+  troubles.set(stream, trouble);
+  return trouble;
 }
 
 /**
