@@ -170,6 +170,36 @@ function inked(g41: G41Page): Promise<number> {
   });
 }
 
+test("what is opened while it is read stays, and it is given up", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const drop = await dropper(page, program(BLOCKS));
+  await drop();
+  await expect(page.locator("#work")).toContainText(/Reading|Compensating/);
+  await page.getByLabel("Example").selectOption("pocket");
+  await expect(page.locator("#work")).toBeHidden();
+  await g41.settled();
+  // The name of the long program, had it been read to its end, would stand here.
+  await expect(page.locator(".file-name")).toHaveText("pocket.nc");
+  await expect(g41.output).toHaveValue(/G1/);
+  expect(g41.errors).toEqual([]);
+});
+
+test("a panel that cannot show it is closed", async ({ page }) => {
+  test.setTimeout(120_000);
+  const g41 = new G41Page(page);
+  await g41.open();
+  const button = page.getByRole("button", { name: "Motion" });
+  await button.click();
+  await expect(page.locator(".motion-times")).toContainText(" s");
+  const drop = await dropper(page, program(120_000));
+  await drop();
+  await expect(page.locator(".file-name")).toHaveText("relief.nc", { timeout: 90_000 });
+  await expect(button).toBeDisabled();
+  await expect(page.locator("#motion")).toBeHidden();
+  expect(g41.errors).toEqual([]);
+});
+
 test("it is cancelled at once, and what was shown stays", async ({ page }) => {
   const g41 = new G41Page(page);
   await g41.open();

@@ -86,6 +86,9 @@ export class ComputeClient {
   }
 
   #take(reply: Reply): void {
+    const { id } = reply.kind === "result" ? reply.result : reply;
+    // Of a worker that was given up.
+    if (id !== this.#id || !this.#underWay) return;
     if (reply.kind === "progress") {
       this.#tell.progress(reply.step, reply.part);
       return;

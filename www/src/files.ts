@@ -26,6 +26,11 @@ export class Files {
     this.#store = store;
     this.#client = client;
     this.#stage = stage;
+    // Who opens something else meanwhile must not have it replaced when the file was read.
+    store.subscribe(({ history }, before) => {
+      const { name } = before.history.present;
+      if (this.#pending && history.present.name !== name) this.#abandon();
+    });
   }
 
   /** The name of the file that is being opened. */
@@ -82,6 +87,12 @@ export class Files {
     this.#pending = undefined;
     if (pending) this.#store.set({ work: undefined, notice: `${pending.name}: ${message}` });
     return pending !== undefined;
+  }
+
+  #abandon(): void {
+    this.#pending = undefined;
+    this.#client.cancel();
+    this.#store.set({ work: undefined });
   }
 
   async #openProgram(file: File): Promise<void> {

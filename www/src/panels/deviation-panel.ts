@@ -72,15 +72,22 @@ export function deviationPanel(
   };
   const start = () => {
     const made = new Worker(new URL("../deviation.worker.ts", import.meta.url), { type: "module" });
-    made.addEventListener("message", ({ data }: MessageEvent<Deviations | string>) => {
+    const take = (data: Deviations | string) => {
       underWay = false;
-      failure.textContent = typeof data === "string" ? data : "";
-      if (typeof data !== "string") {
-        measured = data;
-        draw();
-      }
+      const failed = typeof data === "string";
+      failure.textContent = failed ? data : "";
+      measured = failed ? undefined : data;
+      // What was measured before is of another program.
+      if (failed) plots.replaceChildren();
+      else draw();
       if (wanted) ask();
       else section.setAttribute("aria-busy", "false");
+    };
+    made.addEventListener("message", ({ data }: MessageEvent<Deviations | string>) => take(data));
+    made.addEventListener("error", ({ message }) => {
+      made.terminate();
+      worker = undefined;
+      take(message || "the worker could not be started");
     });
     return made;
   };
@@ -96,7 +103,7 @@ export function deviationPanel(
     );
   };
 
-  button.addEventListener("click", () => {
+  const toggle = () => {
     section.hidden = !section.hidden;
     button.setAttribute("aria-expanded", String(!section.hidden));
     store.set({ probe: undefined });
@@ -107,12 +114,15 @@ export function deviationPanel(
     measured = undefined;
     ask();
     draw();
-  });
+  };
+  button.addEventListener("click", toggle);
   closesOthers(button);
   new ResizeObserver(draw).observe(section);
   store.subscribe((state, before) => {
     // Of a very long program it would take as long as everything else.
     button.disabled = state.history.present.file !== undefined;
+    // A panel whose button is disabled could not be closed, and shows the program before.
+    if (button.disabled && !section.hidden) toggle();
     const { text, settings } = state.history.present;
     const old = before.history.present;
     if (text === old.text && settings === old.settings) return;

@@ -38,18 +38,21 @@ export function motionButton(
       section.replaceChildren(element("p", { role: "status" }, "The plots could not be loaded."));
     }
   };
-  button.addEventListener("click", () => {
+  const toggle = () => {
     section.hidden = !section.hidden;
     button.setAttribute("aria-expanded", String(!section.hidden));
     // The picture has another height now, with its next frame.
     stage.fitNext();
     if (section.hidden) panel?.close();
     else open();
-  });
+  };
+  button.addEventListener("click", toggle);
   closesOthers(button);
   store.subscribe((state) => {
     // Of a very long program it would take as long as everything else.
     button.disabled = state.history.present.file !== undefined;
+    // A panel whose button is disabled could not be closed, and shows the program before.
+    if (button.disabled && !section.hidden) toggle();
   });
   return () => panel?.recolour();
 }
