@@ -5,7 +5,7 @@ import type { Point } from "../geometry";
 import type { Settings } from "../parameters";
 import { type Contour, endNode, type PointRef } from "../part";
 import { type LivePicture, patched } from "./picture";
-import type { Changed, Edit, Grab, Step } from "./protocol";
+import type { Changed, Edit, Grab, Lost, Step } from "./protocol";
 
 type Now = Pick<LivePicture, "contour" | "ref" | "at" | "leads">;
 
@@ -23,7 +23,9 @@ export class LiveClient {
   constructor(onPicture: (picture: LivePicture, milliseconds: number) => void) {
     this.#onPicture = onPicture;
     this.#worker = new Worker(new URL("./live.worker.ts", import.meta.url), { type: "module" });
-    this.#worker.addEventListener("message", ({ data }: MessageEvent<Changed>) => this.#take(data));
+    this.#worker.addEventListener("message", ({ data }: MessageEvent<Changed | Lost>) =>
+      this.#take(data),
+    );
   }
 
   /** Takes hold of a contour, unless it is the one that is held. */
@@ -65,9 +67,16 @@ export class LiveClient {
     this.#worker.postMessage(message);
   }
 
-  #take(changed: Changed): void {
+  #take(changed: Changed | Lost): void {
     // Of a contour that is held no more.
     if (changed.id !== this.#id || !this.#underWay) return;
+    if ("lost" in changed) {
+      // The text goes on alone, and with the next drag the contour is taken hold of afresh.
+      this.#held = undefined;
+      this.#waiting = undefined;
+      this.#underWay = undefined;
+      return;
+    }
     const first = this.#picture === undefined;
     this.#picture = patched(this.#picture, this.#underWay, changed);
     this.#underWay = undefined;

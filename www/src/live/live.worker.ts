@@ -1,7 +1,7 @@
 // The live worker: edits one contour and sends back what has changed of its tool path.
 
 import init, { LiveContour, type LiveOptions } from "g41";
-import type { Changed, Grab, Patch, Step } from "./protocol";
+import type { Changed, Grab, Lost, Patch, Step } from "./protocol";
 
 /** How far polylines on the screen may be from their curves [mm]. */
 const DRAWING_TOLERANCE = 0.002;
@@ -10,11 +10,23 @@ const COARSE_TOLERANCE = 0.01;
 /** Type points from which on there are very many. */
 const MANY = 20_000;
 
-const ready = init();
+let ready = init();
 let live: LiveContour | undefined;
 
 self.addEventListener("message", async ({ data }: MessageEvent<Grab | Step>) => {
-  await ready;
+  try {
+    await ready;
+    answer(data);
+  } catch {
+    // After an internal error the package asks to be loaded afresh.
+    ready = init();
+    live?.[Symbol.dispose]();
+    live = undefined;
+    self.postMessage({ id: data.id, lost: true } satisfies Lost);
+  }
+});
+
+function answer(data: Grab | Step): void {
   const began = performance.now();
   if (data.kind === "grab") grab(data);
   else if (live) edit(live, data);
@@ -30,7 +42,7 @@ self.addEventListener("message", async ({ data }: MessageEvent<Grab | Step>) => 
   };
   const buffers = [changed.path.points, changed.starts, changed.outline.points];
   self.postMessage(changed, { transfer: buffers.map((array) => array.buffer as ArrayBuffer) });
-});
+}
 
 function grab({ contour, settings, radius }: Grab): void {
   live?.[Symbol.dispose]();

@@ -37,6 +37,12 @@ export interface Patch {
   readonly points: Float64Array;
 }
 
+/** The contour is held no more: an edit of it was refused. */
+export interface Lost {
+  readonly id: number;
+  readonly lost: true;
+}
+
 /** What has changed since the last answer. */
 export interface Changed {
   readonly id: number;

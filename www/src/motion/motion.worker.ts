@@ -48,6 +48,7 @@ self.addEventListener("message", async ({ data }: MessageEvent<MotionRequest>) =
   } catch (error) {
     // After an internal error the package asks to be loaded afresh.
     ready = init();
+    held?.path[Symbol.dispose]();
     held = undefined;
     self.postMessage({
       kind: "failure",

@@ -21,8 +21,11 @@ export interface RulesRequest {
   readonly steps: readonly number[];
 }
 
-/** What the worker answers. */
-export interface RulesReply {
+/** What the worker answers: a text says why it could not. */
+export type RulesReply = RulesErrors | string;
+
+/** How evenly the rules step. */
+export interface RulesErrors {
   /** How many splines the program has. */
   readonly splines: number;
   /** For each length of a step the largest error of each rule, as a part of the step. */

@@ -4,7 +4,7 @@ import { element } from "../panels/elements";
 import type { Document } from "../state";
 import { rounded } from "./plots";
 import type { MotionData } from "./protocol";
-import { RULES, type RulesReply, type RulesRequest } from "./rules-protocol";
+import { RULES, type RulesErrors, type RulesReply, type RulesRequest } from "./rules-protocol";
 
 /** Less than this is rounding. */
 const ROUNDING = 1e-12;
@@ -39,15 +39,19 @@ export class RulesTable {
     const { text, settings } = document;
     const worker = new Worker(new URL("./rules.worker.ts", import.meta.url), { type: "module" });
     this.#worker = worker;
+    // A table of the program before would be read as that of this one.
+    this.#content.replaceChildren(element("p", {}, "Stepping along the splines …"));
     const done = (shown: Node) => {
       worker.terminate();
       this.#content.replaceChildren(shown);
     };
-    worker.addEventListener("message", ({ data: reply }: MessageEvent<RulesReply>) =>
-      done(reply.splines > 0 ? table(reply, feeds, period) : NO_SPLINE()),
-    );
+    const failed = (message: string) => done(element("p", { class: "motion-failure" }, message));
+    worker.addEventListener("message", ({ data: reply }: MessageEvent<RulesReply>) => {
+      if (typeof reply === "string") failed(reply);
+      else done(reply.splines > 0 ? table(reply, feeds, period) : NO_SPLINE());
+    });
     worker.addEventListener("error", ({ message }) =>
-      done(element("p", { class: "motion-failure" }, message)),
+      failed(message || "the worker could not be started"),
     );
     const steps = feeds.map((feed) => feed * period);
     worker.postMessage({ text, settings, steps } satisfies RulesRequest);
@@ -63,7 +67,7 @@ function feedsOf({ feeds, rapid, limits }: MotionData): number[] {
   return [...new Set([programmed || limits.velocity, limits.velocity])];
 }
 
-function table({ columns }: RulesReply, feeds: readonly number[], period: number): HTMLElement {
+function table({ columns }: RulesErrors, feeds: readonly number[], period: number): HTMLElement {
   const heads = feeds.map((feed) => {
     const step = `${rounded(feed * period)} mm a period`;
     return element(

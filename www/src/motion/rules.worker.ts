@@ -2,18 +2,29 @@
 
 import init, { type Contour, interpolate, type ProgrammedContour, parseProgram } from "g41";
 import { parseOptions } from "../parameters";
-import { RULES, type RulesReply, type RulesRequest } from "./rules-protocol";
+import { RULES, type RulesErrors, type RulesReply, type RulesRequest } from "./rules-protocol";
 
 /** More steps than these take longer than anybody waits for a table. */
 const MOST_STEPS = 40_000;
 
 self.addEventListener("message", async ({ data }: MessageEvent<RulesRequest>) => {
-  await init();
-  const program = parseProgram(data.text, parseOptions(data.settings));
-  const splines = program.contours.flatMap(splinesOf);
-  const columns = data.steps.map((step) => RULES.map((rule) => worst(splines, step, rule)));
-  self.postMessage({ splines: splines.length, columns } satisfies RulesReply);
+  let reply: RulesReply;
+  try {
+    await init();
+    reply = errorsOf(data);
+  } catch (error) {
+    // What an asynchronous listener throws is told to nobody.
+    reply = error instanceof Error ? error.message : String(error);
+  }
+  self.postMessage(reply);
 });
+
+function errorsOf({ text, settings, steps }: RulesRequest): RulesErrors {
+  const { contours } = parseProgram(text, parseOptions(settings));
+  const splines = contours.flatMap(splinesOf);
+  const columns = steps.map((step) => RULES.map((rule) => worst(splines, step, rule)));
+  return { splines: splines.length, columns };
+}
 
 /** Each spline of a contour, as a contour of its own. */
 function splinesOf({ start, segments }: ProgrammedContour): Contour[] {
