@@ -20,7 +20,7 @@ import {
 } from "./part";
 import { contourAt, forRuns, isResultOf, lineOf, lineOfMove, radiusOn } from "./result";
 import type { State, Store } from "./state";
-import { fitted, panned, type Size, toScreen, toWorld, type View, zoomed } from "./view";
+import { fitted, panned, type Size, sightOf, toScreen, toWorld, type View, zoomed } from "./view";
 
 /** How near the pointer must be to the tool path for the tool to follow it [px]. */
 const TOOL_REACH = 70;
@@ -235,12 +235,11 @@ export class Stage {
   /** The points that can be moved and seen, where they are now; too many of them say nothing. */
   #visibleHandles(): readonly Handle[] {
     const { live, selection } = this.#store.state;
-    const [x0, y1] = toWorld(this.#view, [-MARGIN, -MARGIN]);
-    const [x1, y0] = toWorld(this.#view, [this.#size.width + MARGIN, this.#size.height + MARGIN]);
+    const { min, max } = sightOf(this.#view, this.#size, MARGIN);
     const seen: Handle[] = [];
     for (const handle of this.handles()) {
       const [x, y] = handle.at;
-      if (x < x0 || x > x1 || y < y0 || y > y1) continue;
+      if (x < min[0] || x > max[0] || y < min[1] || y > max[1]) continue;
       seen.push(live && samePoint(handle.ref, live.ref) ? live : handle);
     }
     if (seen.length <= MOST_HANDLES) return seen;

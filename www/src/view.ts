@@ -44,6 +44,13 @@ export function toWorld(view: View, p: Point): Point {
   return [(p[0] - view.x) / view.scale, (view.y - p[1]) / view.scale];
 }
 
+/** What is in sight, and some pixels around it. */
+export function sightOf(view: View, { width, height }: Size, around: number): Box {
+  const [left, top] = toWorld(view, [-around, -around]);
+  const [right, bottom] = toWorld(view, [width + around, height + around]);
+  return { min: [left, bottom], max: [right, top] };
+}
+
 /** The view moved by pixels. */
 export function panned(view: View, dx: number, dy: number): View {
   return { ...view, x: view.x + dx, y: view.y + dy };

@@ -3,8 +3,7 @@
 import type { PictureClient } from "../large/picture-client";
 import type { LivePicture } from "../live/picture";
 import { isLeft, type Result, radiusOn } from "../result";
-import type { Size, View } from "../view";
-import { toScreen } from "../view";
+import { type Box, type Size, sightOf, toScreen, type View } from "../view";
 import { type Context, inMillimetres, mark, strokeLine } from "./canvas";
 import { drawFindings } from "./findings";
 import { drawAxisNames, drawGrid, drawScale } from "./grid";
@@ -12,9 +11,6 @@ import type { Palette } from "./palette";
 import { drawPlunges } from "./plunges";
 import { type ClosedShape, type Shapes, shapesOf } from "./shapes";
 import { isFollowed, transitionLine, transitionPlace } from "./transition";
-
-/** Larger than any part [mm]: what is not pocket is material out to here. */
-const FAR = 1e5;
 
 /** What the static layer shows. */
 export interface BaseScene {
@@ -39,7 +35,7 @@ export function drawBase(
   } else if (result) {
     const shapes = shapesOf(result, { view, size, live });
     inMillimetres(context, view, (px) => {
-      drawMaterial(context, shapes, result, palette, px);
+      drawMaterial(context, shapes, result, palette, px, sightOf(view, size, 1));
     });
     drawFindings(context, view, result, palette, shapes.closed.length > 0);
     inMillimetres(context, view, (px) => {
@@ -65,13 +61,15 @@ function drawMaterial(
   result: Result,
   palette: Palette,
   px: number,
+  sight: Box,
 ): void {
   const material = new Path2D();
   // Pockets without an outline around them are cut into a plate without end.
   const isPlate = !shapes.closed.some((closed) => liesInside(closed, result));
   // Beside open contours nobody knows where the plate ends.
   const isKnown = shapes.closed.length > 0 && !(isPlate && shapes.closed.length < countOf(result));
-  if (isPlate && isKnown) material.rect(-FAR, -FAR, 2 * FAR, 2 * FAR);
+  const { min, max } = sight;
+  if (isPlate && isKnown) material.rect(min[0], min[1], max[0] - min[0], max[1] - min[1]);
   if (isKnown) for (const { path } of shapes.closed) material.addPath(path);
   context.fillStyle = palette.material;
   context.fill(material, "evenodd");

@@ -7,6 +7,9 @@ import type { KindStyle } from "./palette";
 /** A canvas context, on the screen or off it. */
 export type Context = CanvasRenderingContext2D;
 
+/** The height of a label with the room around it [px]. */
+const LABEL_HEIGHT = 14;
+
 /** The letters of labels on the canvas. */
 const LABEL_FONT = '500 11px "IBM Plex Mono", ui-monospace, monospace';
 
@@ -71,6 +74,34 @@ export function label(
   context.strokeText(text, x, y);
   context.fillStyle = color;
   context.fillText(text, x, y);
+}
+
+/** A text and the place of its middle [px]. */
+export interface Caption {
+  readonly text: string;
+  readonly at: Point;
+}
+
+/** Writes texts over the picture; one that would lie over another before it gives way. */
+export function labels(
+  context: Context,
+  captions: readonly Caption[],
+  color: string,
+  paper: string,
+): void {
+  context.font = LABEL_FONT;
+  context.textAlign = "center";
+  context.textBaseline = "middle";
+  const taken: { x: number; y: number; width: number }[] = [];
+  for (const { text, at } of captions) {
+    const [x, y] = at;
+    const { width } = context.measureText(text);
+    const covers = (other: (typeof taken)[number]) =>
+      Math.abs(other.x - x) < (other.width + width) / 2 + 2 && Math.abs(other.y - y) < LABEL_HEIGHT;
+    if (taken.some(covers)) continue;
+    taken.push({ x, y, width });
+    label(context, text, at, color, paper);
+  }
 }
 
 /** The mark of a kind of transition about a point. */

@@ -14,7 +14,7 @@ import {
 } from "../geometry";
 import { contourAt, isLeft, type Result } from "../result";
 import { toScreen, type View } from "../view";
-import { type Context, dot, label, strokeLine } from "./canvas";
+import { type Caption, type Context, dot, labels, strokeLine } from "./canvas";
 import type { Palette } from "./palette";
 import { trackOf } from "./track";
 
@@ -79,6 +79,9 @@ export function tangents(transition: Transition, result: Result): [Point, Point]
   return [along([0, 0], perp(direction(P, N1)), sign), along([0, 0], perp(direction(P, N2)), sign)];
 }
 
+/** A construction whose normals are shorter has no room for names [px]. */
+const LEAST_REACH = 12;
+
 /** Draws how the points of a transition were found: normals, tangents, vertex and angle. */
 export function drawConstruction(
   context: Context,
@@ -101,11 +104,9 @@ export function drawConstruction(
   }
   if (V) line([P, V], 2);
   line(transitionLine(transition, result), 1.5);
-  drawAngle(context, view, palette, transition, result, both);
+  const angle = drawAngle(context, view, palette, transition, result, both);
   const named = Object.entries(transition.construction);
   const center = screen(P);
-  context.textAlign = "center";
-  context.textBaseline = "middle";
   for (const [name, point] of named) {
     const at = screen(point);
     context.lineWidth = 1.5;
@@ -114,19 +115,16 @@ export function drawConstruction(
   const marked = grouped(
     named.filter(([name]) => name !== "P").map(([name, p]) => [name, screen(p)]),
   );
-  for (const [names, at] of marked) {
+  const names = marked.map(([text, at]): Caption => {
     const clear = Math.max(15, 30 - distance(center, at));
-    const wide = names.length > 2 ? 4 * (names.length - 2) * Math.abs(outwards(center, at)[0]) : 0;
-    label(
-      context,
-      names,
-      along(at, outwards(center, at), clear + wide),
-      palette.ink,
-      palette.paper,
-    );
-  }
+    const wide = text.length > 2 ? 4 * (text.length - 2) * Math.abs(outwards(center, at)[0]) : 0;
+    return { text, at: along(at, outwards(center, at), clear + wide) };
+  });
   const taken = marked.map(([, at]) => outwards(center, at));
-  label(context, "P", along(center, widest(taken, both), 16), palette.ink, palette.paper);
+  const corner: Caption = { text: "P", at: along(center, widest(taken, both), 16) };
+  // Where the points lie upon each other, nobody sees which is which.
+  const isTold = distance(center, screen(N1)) >= LEAST_REACH;
+  labels(context, isTold ? [...names, corner, angle] : [angle], palette.ink, palette.paper);
 }
 
 /** Names of points that are too near to each other to be told apart, joined. */
@@ -141,7 +139,7 @@ function grouped(points: readonly (readonly [string, Point])[]): (readonly [stri
   return groups;
 }
 
-/** The arc of the angle α, on the side of the workpiece, and its value. */
+/** Draws the arc of the angle α, on the side of the workpiece; returns its value and where that belongs. */
 function drawAngle(
   context: Context,
   view: View,
@@ -149,7 +147,7 @@ function drawAngle(
   transition: Transition,
   result: Result,
   [, t2]: [Point, Point],
-): void {
+): Caption {
   const [x, y] = toScreen(view, transition.corner);
   const { P, N1 } = transition.construction;
   const reach = P && N1 ? distance(P, N1) * view.scale : 30;
@@ -170,10 +168,7 @@ function drawAngle(
   const deep = (width * Math.abs(c) + height * Math.abs(d)) / 2;
   const narrow = transition.angle < 2 ? across / Math.tan(transition.angle / 2) : 0;
   const out = Math.max(radius + 6, Math.min(100, narrow)) + deep;
-  context.textAlign = "center";
-  context.textBaseline = "middle";
-  const at: Point = [x + out * c, y - out * d];
-  label(context, text, at, palette.ink, palette.paper);
+  return { text, at: [x + out * c, y - out * d] };
 }
 
 function outwards(from: Point, to: Point): Point {
