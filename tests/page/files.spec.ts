@@ -31,6 +31,15 @@ G40 X-20
 M30
 `;
 
+test("what was typed is there after a reload at once", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  await g41.program.fill("G1 G41 X10 Y0 F100\nX20\nY20\nG40 X40\nM30");
+  // Saving waits for a pause, which a reload does not leave.
+  await page.reload();
+  await expect(g41.program).toHaveValue(/^G1 G41 X10 Y0/);
+});
+
 test("a dropped file is shown with its name, and saved by it and the target", async ({ page }) => {
   const g41 = new G41Page(page);
   await g41.open();

@@ -25,6 +25,25 @@ test("radius by field and by slider, one step of undo each", async ({ page }) =>
   expect(second).not.toBe(before);
 });
 
+test("a value entered once more is no step of undo, and Escape takes a wrong one back", async ({
+  page,
+}) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const undo = page.getByRole("button", { name: "Undo" });
+  const field = page.getByLabel("Tool radius in mm");
+  await field.focus();
+  await page.keyboard.press("Enter");
+  await page.keyboard.press("Enter");
+  await expect(undo).toBeDisabled();
+  await field.fill("2 +");
+  await field.press("Enter");
+  await expect(field).toHaveAttribute("aria-invalid", "true");
+  await field.press("Escape");
+  await expect(field).toHaveValue("5");
+  await expect(field).not.toHaveAttribute("aria-invalid");
+});
+
 test("a radius larger than the part is answered, not refused", async ({ page }) => {
   const g41 = new G41Page(page);
   await g41.open();

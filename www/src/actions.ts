@@ -91,7 +91,11 @@ export function setSide(store: Store, side: "left" | "right"): void {
 
 /** Changes settings; `gesture` joins the steps of one slide. */
 export function setSettings(store: Store, change: Partial<Settings>, gesture?: string): void {
-  store.edit({ settings: { ...store.document.settings, ...change } }, gesture);
+  const { settings } = store.document;
+  const names = Object.keys(change) as (keyof Settings)[];
+  // A step of undo that changes nothing looks like a key that does not work.
+  if (names.every((name) => settings[name] === change[name])) return;
+  store.edit({ settings: { ...settings, ...change } }, gesture);
 }
 
 function apply(

@@ -38,18 +38,25 @@ export function validDocument(saved: unknown): Saved | undefined {
 /** Saves the document after each change. */
 export function autosave(store: Store): void {
   let timer = 0;
+  const save = () => {
+    clearTimeout(timer);
+    timer = 0;
+    const { name, text, file, settings } = store.document;
+    try {
+      if (!file && text.length <= MOST_LETTERS)
+        localStorage.setItem(KEY, JSON.stringify({ name, text, settings }));
+    } catch {
+      // Where storage is full or forbidden, the document lasts as long as the page.
+    }
+  };
   store.subscribe((state, before) => {
     if (state.history.present === before.history.present) return;
     clearTimeout(timer);
-    timer = window.setTimeout(() => {
-      const { name, text, file, settings } = store.document;
-      try {
-        if (!file && text.length <= MOST_LETTERS)
-          localStorage.setItem(KEY, JSON.stringify({ name, text, settings }));
-      } catch {
-        // Where storage is full or forbidden, the document lasts as long as the page.
-      }
-    }, PAUSE);
+    timer = window.setTimeout(save, PAUSE);
+  });
+  // Who leaves at once has not seen the pause end.
+  window.addEventListener("pagehide", () => {
+    if (timer !== 0) save();
   });
 }
 

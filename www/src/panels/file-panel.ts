@@ -99,7 +99,11 @@ export function filePanel(form: HTMLFormElement, files: Files, store: Store): vo
 function linkButton(store: Store): HTMLButtonElement {
   const button = iconButton("Copy link", ICONS.link, "to this program and its settings");
   button.addEventListener("click", async () => {
-    const link = await linkTo(store.document);
+    const link = await linkTo(store.document).catch(() => "");
+    if (link === "") {
+      store.set({ notice: "This browser cannot pack a program: pass on its file instead." });
+      return;
+    }
     if (!link) {
       store.set({ notice: "The program is too long for a link: pass on its file instead." });
       return;

@@ -69,6 +69,7 @@ export class NumberField {
       return;
     }
     if (event.key === "Escape") {
+      this.input.removeAttribute("aria-invalid");
       this.input.value = format(this.#value, this.#options.digits);
       return;
     }
