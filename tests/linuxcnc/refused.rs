@@ -89,3 +89,17 @@ fn without_a_radius_the_same_programs_run_to_their_ends() {
         assert_eq!(path.moves.last().map(|last| end(last).x), Some(5.0), "{text}");
     }
 }
+
+#[test]
+fn a_circle_made_of_an_arc_that_a_corner_takes_away_is_told() {
+    let arc = |radius: f64| {
+        let text = format!(
+            "G21 G0 X-40 Y0 F10\nG41.1 D4\nG1 X-20\nX0\nG3 X{radius} Y{radius} J{radius}\nG1 X-8\nG40 X-20 Y20"
+        );
+        let path = run(&text, &[]);
+        assert_eq!(errors(&path), [""; 0], "{text}\n{:?}", path.diagnostics);
+        path.diagnostics.iter().any(|found| found.code == "full-circle")
+    };
+    assert!(arc(4.0), "half as wide as the arc, the tool meets the way back where the arc begins");
+    assert!(!arc(9.0), "there is an arc left for a small tool");
+}

@@ -203,34 +203,45 @@ impl Queue {
         let curve = match shape {
             Shape::Line { .. } => Line::new(self.pen, to).ok().map(MoveCurve::Line),
             Shape::Arc { center, clockwise, sweep, turns } => {
-                if let Ok(circle) = Arc::winding(self.pen, self.pen, center + self.tip, clockwise) {
-                    let climb = attributes.heights[1] - attributes.heights[0];
-                    let left =
-                        swept(self.pen - center - self.tip, to - center - self.tip, clockwise);
-                    let climb = climb / (f64::from(turns) + left.abs() / TAU);
-                    for _ in 0..turns {
-                        let [start, end] = attributes.heights;
-                        let heights = [start, start + climb];
-                        self.step(
-                            MoveCurve::Arc(circle),
-                            role,
-                            Attributes { heights, ..attributes },
-                        );
-                        attributes.heights = [start + climb, end];
-                    }
-                }
-                // A circle that ends a little behind its start goes round once more.
-                let turned = swept(self.pen - center - self.tip, to - center - self.tip, clockwise);
-                let to = if turned.abs() < SAME_PLACE { self.pen } else { to };
-                if self.pen.distance(to) < MIN_LENGTH && sweep.abs() < 0.999 * TAU {
+                let center = center + self.tip;
+                let turned = swept(self.pen - center, to - center, clockwise).abs();
+                self.full_circles(center, clockwise, turns, turned, role, &mut attributes);
+                let is_circle = sweep.abs() > 0.999 * TAU;
+                let is_point = self.pen.distance(to) < MIN_LENGTH;
+                if is_point && !is_circle {
                     self.tell_circle(&attributes);
                 }
-                Arc::winding(self.pen, to, center + self.tip, clockwise).ok().map(MoveCurve::Arc)
+                // A circle that ends a little behind its start goes round once more.
+                let goes_round = (is_circle || is_point) && turned < SAME_PLACE;
+                let to = if goes_round { self.pen } else { to };
+                Arc::winding(self.pen, to, center, clockwise).ok().map(MoveCurve::Arc)
             }
         };
         let curve = curve.or(climbs.then_some(MoveCurve::Vertical(self.pen)));
         if let Some(curve) = curve {
             self.step(curve, role, attributes);
+        }
+    }
+
+    /// The full circles of a helix before its last turn, whose angle is `turned` [rad]: each climbs its
+    /// share, and what is left of that stays in the attributes.
+    fn full_circles(
+        &mut self,
+        center: DVec2,
+        clockwise: bool,
+        turns: u32,
+        turned: f64,
+        role: Role,
+        attributes: &mut Attributes,
+    ) {
+        let Ok(circle) = Arc::winding(self.pen, self.pen, center, clockwise) else { return };
+        let [start, end] = attributes.heights;
+        let climb = (end - start) / (f64::from(turns) + turned / TAU);
+        for _ in 0..turns {
+            let from = attributes.heights[0];
+            let heights = [from, from + climb];
+            self.step(MoveCurve::Arc(circle), role, Attributes { heights, ..*attributes });
+            attributes.heights[0] = heights[1];
         }
     }
 
