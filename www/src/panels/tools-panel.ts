@@ -63,8 +63,9 @@ function field(number: number, settings: Settings, store: Store): HTMLElement {
   const enter = () => {
     const text = input.value.trim();
     const value = evaluate(text);
-    input.toggleAttribute("aria-invalid", text !== "" && value === undefined);
-    if (text !== "" && value === undefined) return;
+    const isWrong = text !== "" && value === undefined;
+    input.setAttribute("aria-invalid", String(isWrong));
+    if (isWrong) return;
     // Enter and leaving the field both say so.
     if (text === shown) return;
     shown = text;
