@@ -197,3 +197,37 @@ test("file, rules and target are kept over a reload", async ({ page }) => {
   await expect(page.getByRole("button", { name: "Save square.marlin.nc" })).toBeVisible();
   await expect(page.getByLabel("Read as")).toHaveValue("fanuc");
 });
+
+test("the rules of the control whose words a program has are offered, and taken by one click", async ({
+  page,
+}) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const offer = page.locator(".offer");
+  const profile = page.locator(".file-profile select");
+  // Those of the gallery are written for everyone.
+  for (const option of await page.locator("#example option").all()) {
+    const value = await option.getAttribute("value");
+    if (!value) continue;
+    await page.getByLabel("Example").selectOption(value);
+    await expect(offer).toBeHidden();
+  }
+  for (const [text, control] of [
+    ["N10 R1=20\nG41 D1 G1 X0 Y0 F100\n", "SINUMERIK"],
+    ["#1=5\nIF [#1 GT 2] GOTO 20\nN20 M30\n", "FANUC"],
+    ["o100 sub\no100 endsub\nM2\n", "LinuxCNC"],
+  ] as const) {
+    await g41.drop({ name: "own.nc", text });
+    await expect(offer).toContainText(`words of ${control}`);
+    await page.getByRole("button", { name: `Use ${control}'s rules` }).click();
+    await expect(profile.locator("option:checked")).toHaveText(control);
+    await expect(offer).toBeHidden();
+    await expect(profile).toBeFocused();
+    await page.keyboard.press("Control+z");
+    await expect(offer).toBeVisible();
+  }
+  // In a comment it is no word of the program.
+  await g41.drop({ name: "own.nc", text: "G1 X1 F100 (R1=5 CR=3)\n; GOTOF\nM30\n" });
+  await expect(offer).toBeHidden();
+  expect(g41.errors).toEqual([]);
+});

@@ -1,9 +1,12 @@
 // The file that is shown, which control it is written for, and the compensated program to be saved.
 
+import type { Profile } from "g41";
 import { setSettings } from "../actions";
+import { controlOf } from "../control-signs";
 import { DIALECTS, isName, PROFILES, TARGETS } from "../controls";
 import { type Files, save, savedName } from "../files";
 import type { LongText } from "../long-text";
+import { INITIAL_SETTINGS } from "../parameters";
 import { isResultOf } from "../result";
 import { linkTo } from "../share";
 import type { Store } from "../state";
@@ -67,6 +70,7 @@ export function filePanel(form: HTMLFormElement, files: Files, store: Store): vo
   const notice = element("p", { class: "notice", role: "status" });
   form.append(
     element("div", { class: "file-rules" }, profile.row, dialect.row),
+    offer(store),
     element("div", { class: "file-row file-save" }, target.row, saver),
     notice,
   );
@@ -93,6 +97,35 @@ export function filePanel(form: HTMLFormElement, files: Files, store: Store): vo
     if (state.history !== history || state.result !== result || state.notice !== said) show();
   });
   show();
+}
+
+/** Offers the rules of the control that the program seems to be written for, as long as none are chosen. */
+function offer(store: Store): HTMLElement {
+  const seen = element("span");
+  const use = element("button", { type: "button", class: "button" });
+  const row = element("p", { class: "offer" }, seen, use);
+  let control: Profile | undefined;
+  use.addEventListener("click", () => {
+    if (!control) return;
+    setSettings(store, { profile: control });
+    // The button goes, and the focus must not go with it.
+    row.parentElement?.querySelector<HTMLElement>(".file-profile select")?.focus();
+  });
+  let known: string | undefined;
+  const show = () => {
+    const { text, settings } = store.document;
+    if (text !== known) control = controlOf(text);
+    known = text;
+    row.hidden = control === undefined || settings.profile !== INITIAL_SETTINGS.profile;
+    if (!control) return;
+    seen.textContent = `It has words of ${PROFILES[control]}.`;
+    use.textContent = `Use ${PROFILES[control]}'s rules`;
+  };
+  store.subscribe((state, before) => {
+    if (state.history !== before.history) show();
+  });
+  show();
+  return row;
 }
 
 /** A button that copies a link to the program as it is. */
