@@ -50,31 +50,7 @@ impl Interpreter {
                 }
             }
             Motion::Rapid | Motion::Linear => {
-                let rapid = motion == Motion::Rapid;
-                let (others, way) = self.other_axes(block, words);
-                let target = self.target(block, words, "");
-                // It stays where it is, and needs not even say so.
-                let stays = target.as_ref().is_none_or(|(axes, to)| {
-                    let stated = self.modal.stated;
-                    let known = (0..3).all(|i| axes.words[i].is_none() || stated[i]);
-                    *to == self.modal.position && (known || !self.course.is_free())
-                });
-                if stays && !others.is_empty() {
-                    self.turn_others(block, rapid, &others, way);
-                } else if !others.is_empty() {
-                    self.course.words(others, block.origin());
-                }
-                if let Some((axes, to)) = target {
-                    let attributes = self.attributes(block, rapid, to);
-                    self.line(&axes, to, attributes);
-                    self.arrive(&axes, to);
-                } else if stated && self.course.takes_any_lead() {
-                    // The word alone leads to where the program is.
-                    let at = self.modal.position;
-                    let attributes = self.attributes(block, rapid, at);
-                    let from = attributes.plane.split(at).0;
-                    self.course.vertical(from, attributes, &mut self.report);
-                }
+                self.straight(block, motion == Motion::Rapid, stated, words);
             }
             Motion::Passed(tenths) => self.passed_move(block, tenths, words),
             Motion::Arc { clockwise } => self.arc(block, words, clockwise, false),
@@ -94,6 +70,34 @@ impl Interpreter {
             }
         }
         self.course.leave_asked(&mut self.report);
+    }
+
+    /// G00 and G01: the axes of the plane and the others, or the word alone.
+    fn straight(&mut self, block: &Block, rapid: bool, stated: bool, words: &mut Words) {
+        let (others, way) = self.other_axes(block, words);
+        let target = self.target(block, words, "");
+        // It stays where it is, and needs not even say so.
+        let stays = target.as_ref().is_none_or(|(axes, to)| {
+            let stated = self.modal.stated;
+            let known = (0..3).all(|i| axes.words[i].is_none() || stated[i]);
+            *to == self.modal.position && (known || !self.course.is_free())
+        });
+        if stays && !others.is_empty() {
+            self.turn_others(block, rapid, &others, way);
+        } else if !others.is_empty() {
+            self.course.words(others, block.origin());
+        }
+        if let Some((axes, to)) = target {
+            let attributes = self.attributes(block, rapid, to);
+            self.line(&axes, to, attributes);
+            self.arrive(&axes, to);
+        } else if stated && self.course.takes_any_lead() {
+            // The word alone leads to where the program is.
+            let at = self.modal.position;
+            let attributes = self.attributes(block, rapid, at);
+            let from = attributes.plane.split(at).0;
+            self.course.vertical(from, attributes, &mut self.report);
+        }
     }
 
     /// Whether a control that is strict makes the move of a block: not without axes, and of some modes
