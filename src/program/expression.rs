@@ -54,6 +54,16 @@ impl LineReader<'_> {
                 self.target().and_then(|target| self.parameter(&target, at))
             }
             b'0'..=b'9' | b'.' => match self.cursor.number(false) {
+                Ok(value) if self.parentheses() && self.cursor.eat_all("EX") => {
+                    match self.cursor.number(true) {
+                        Ok(power) if power.abs() <= 300.0 =>
+                        {
+                            #[expect(clippy::cast_possible_truncation, reason = "checked")]
+                            Ok(value * 10.0_f64.powi(power as i32))
+                        }
+                        _ => fault(("garbled-number", "it is no number"), at),
+                    }
+                }
                 Ok(value) => Ok(value),
                 Err(NumberError::TooLarge) => fault(("number-too-large", "it is beyond 1e9"), at),
                 Err(_) => fault(("garbled-number", "it is no number"), at),

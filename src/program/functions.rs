@@ -11,6 +11,9 @@ use crate::geometry::sin_cos;
 /// Numbers that differ by less are equal in RS274/NGC, as `LinuxCNC` has it.
 const EQUAL: f64 = 1e-4;
 
+/// Numbers that differ by less of themselves are equal in SINUMERIK's programs.
+const NEARLY: f64 = 1e-12;
+
 /// An operator between two numbers.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Operator {
@@ -70,17 +73,22 @@ pub(super) type Impossible = (&'static str, &'static str);
 const TOO_LARGE: Impossible = ("no-number", "the result is too large");
 
 impl Operator {
-    /// How tightly it binds. FANUC's bitwise operators bind like the arithmetic ones they resemble.
+    /// How tightly it binds. FANUC's bitwise operators bind like the arithmetic ones they resemble, and
+    /// SINUMERIK's comparisons less tightly than what combines them.
     pub(super) fn rank(self, dialect: Dialect) -> u8 {
-        let fanuc = dialect == Dialect::Fanuc;
+        let [and, exclusive_or, or, comparison] = match dialect {
+            Dialect::Fanuc => [6, 5, 5, 4],
+            Dialect::Sinumerik => [4, 3, 2, 1],
+            _ => [1, 1, 1, 2],
+        };
         match self {
-            Power => 5,
-            And if fanuc => 4,
-            Times | Divide | DivideWhole | Modulo => 4,
-            Or | ExclusiveOr if fanuc => 3,
-            Plus | Minus => 3,
-            Equal | NotEqual | Greater | GreaterOrEqual | Less | LessOrEqual => 2,
-            And | Or | ExclusiveOr => 1,
+            Power => 7,
+            Times | Divide | DivideWhole | Modulo => 6,
+            Plus | Minus => 5,
+            And => and,
+            ExclusiveOr => exclusive_or,
+            Or => or,
+            Equal | NotEqual | Greater | GreaterOrEqual | Less | LessOrEqual => comparison,
         }
     }
 
@@ -101,14 +109,24 @@ impl Operator {
 
     fn apply_to_numbers(self, a: f64, b: f64, dialect: Dialect) -> Result<f64, Impossible> {
         let fanuc = dialect == Dialect::Fanuc;
-        let equal = if fanuc { a == b } else { (a - b).abs() < EQUAL };
+        let apart = (a - b).abs();
+        // Whether numbers count as equal that are just nearly so also where one is to be greater.
+        let mut nearly = false;
+        let equal = match dialect {
+            Dialect::Fanuc => a == b,
+            Dialect::Sinumerik => {
+                nearly = apart <= NEARLY * a.abs();
+                nearly
+            }
+            _ => apart < EQUAL,
+        };
         let truth = match self {
             Equal => equal,
             NotEqual => !equal,
-            Greater => a > b,
-            GreaterOrEqual => a >= b,
-            Less => a < b,
-            LessOrEqual => a <= b,
+            Greater => a > b && !nearly,
+            GreaterOrEqual => a >= b || nearly,
+            Less => a < b && !nearly,
+            LessOrEqual => a <= b || nearly,
             And | Or | ExclusiveOr if fanuc => return bits(self, a, b),
             And => a != 0.0 && b != 0.0,
             Or => a != 0.0 || b != 0.0,

@@ -32,6 +32,14 @@ fn labels_are_found_downwards_and_upwards() {
         ("R1>=2", true),
         ("R1<=1", false),
         ("(R1>1) AND (R1<3)", true),
+        // By the manual's order comparisons bind least: 3 == (1 AND 3), and (3 > 1) or nothing.
+        ("3==1 AND 3", false),
+        ("NOT R1==0", true),
+        // Equal to 12 digits is equal, whatever is asked.
+        ("0.1+0.2==0.3", true),
+        ("0.1+0.2>0.3", false),
+        ("0.3>=0.1+0.2", true),
+        ("1.00001==1", false),
     ] {
         let text =
             format!("R1=2\nG0 X1\nIF {condition} GOTO ON\nG91\nX100\nG90\nON:\nG91 X1\nM30\n");
@@ -216,6 +224,7 @@ fn variables_have_names_kinds_and_fields() {
         ("DEF REAL TAB[3], MAT[2,2]\nTAB[1]=5 MAT[1,0]=2\nX=TAB[1]+MAT[1,0]*10+TAB[2]", 25.0),
         ("R10=4 R[3+2]=6\nX=R[R10+1]+R10", 10.0),
         ("X=7 DIV 2+7 MOD 4", 6.0),
+        ("R1=1.5EX2 R2=-25EX-1\nX=R1+R2", 147.5),
         ("X=ROUND(2.5)+TRUNC(-2.5)+POT(3)+SQRT(16)+ABS(-1)", 15.0),
         ("X=ATAN2(1,1)+SIN(30)+COS(60)+TAN(45)", 47.0),
     ] {
