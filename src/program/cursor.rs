@@ -80,6 +80,11 @@ impl<'a> Cursor<'a> {
         rest.get(..taken).unwrap_or_default()
     }
 
+    /// Moves up to the first `sign`, without passing over spaces.
+    pub(super) fn until(&mut self, sign: char) -> &'a str {
+        self.take_while(&|c: char| c != sign)
+    }
+
     /// Moves over `sign` if it comes next.
     pub(super) fn eat(&mut self, sign: u8) -> bool {
         let is_next = self.peek() == Some(sign);
@@ -138,7 +143,7 @@ impl<'a> Cursor<'a> {
         if !self.eat(b'<') {
             return None;
         }
-        let text = self.take_while(&|c: char| c != '>');
+        let text = self.until('>');
         if !self.eat(b'>') {
             return None;
         }

@@ -10,6 +10,7 @@ use super::block::Block;
 use super::cycles::Hole;
 use super::interpret::Interpreter;
 use super::lexer::LineReader;
+use super::spline_words::place_in;
 use super::words::Words;
 use crate::geometry::MIN_LENGTH;
 
@@ -25,7 +26,7 @@ const CLEARANCE: f64 = 0.6;
 /// What a cycle does to every hole, in the order of its arguments [mm, s].
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Drill {
-    number: u8,
+    number: usize,
     /// NaN for those that are left out.
     arguments: [f64; 17],
 }
@@ -43,14 +44,13 @@ impl LineReader<'_> {
             }
             cycle = self.cursor.identifier();
         }
-        let names = ["CYCLE81", "CYCLE82", "CYCLE83"];
-        let Some(number) = names.iter().position(|known| cycle.eq_ignore_ascii_case(known)) else {
+        let Some(number) = place_in("CYCLE81 CYCLE82 CYCLE83", cycle) else {
             if is_modal {
                 self.unknown_name(cycle, at);
             }
             return is_modal;
         };
-        let mut drill = Drill { number: [81, 82, 83][number], arguments: [f64::NAN; 17] };
+        let mut drill = Drill { number: 81 + number, arguments: [f64::NAN; 17] };
         match self.call_arguments() {
             Ok(values) => {
                 for (argument, value) in drill.arguments.iter_mut().zip(values) {

@@ -15,18 +15,21 @@ const ARGUMENTS: usize = 30;
 /// Most repetitions; the bounds of the run end them earlier.
 const MOST_TIMES: f64 = 1e9;
 
+/// From where to where a name reaches in its line [bytes].
+pub(super) type Span = [usize; 2];
+
 /// Where a GOTO leads to.
-#[derive(Debug)]
+#[derive(Debug, Clone, Copy)]
 pub(super) enum Destination {
     /// The block with a number.
     Number(f64),
     /// SINUMERIK's block with a label, or a number behind N.
-    Label(String, Search),
-    /// SINUMERIK's subprogram, and where its arguments begin [bytes].
-    Program(String, usize),
+    Label(Span, Search),
+    /// SINUMERIK's subprogram, whose arguments stand behind its name.
+    Program(Span),
     /// SINUMERIK's section of the program between labels, the last included, once more; without one
     /// the block of the first where it `is_block`, else up to here.
-    Section { labels: [String; 2], is_block: bool, times: u32 },
+    Section { labels: [Span; 2], is_block: bool, times: u32 },
     /// Back from SINUMERIK's subprogram.
     Return,
 }
@@ -406,12 +409,10 @@ impl Runner {
     pub(super) fn go_to(&mut self, outline: &Outline, to: Destination, column: u32, text: &str) {
         let found = match to {
             Destination::Number(number) => self.find_block(outline, number),
-            Destination::Label(label, search) => self.find_label(outline, &label, search),
-            Destination::Program(name, at) => {
-                return self.call_named(outline, &name, Cursor::new(text, at), column);
-            }
+            Destination::Label(label, search) => self.find_label(outline, text, label, search),
+            Destination::Program(name) => return self.call_named(outline, text, name, column),
             Destination::Section { labels, is_block, times } => {
-                match self.find_section(outline, &labels, is_block) {
+                match self.find_section(outline, text, labels, is_block) {
                     Some((start, until)) => return self.repeat_section(start, until, times),
                     None => None,
                 }

@@ -368,7 +368,7 @@ impl LineReader<'_> {
             match c {
                 b'(' | b';' if depth == 0 => return,
                 b'<' => {
-                    self.cursor.take_while(&|c: char| c != '>');
+                    self.cursor.until('>');
                 }
                 b'[' => depth += 1,
                 b']' => {

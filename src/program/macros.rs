@@ -11,30 +11,9 @@ use super::run::{Place, Runner};
 /// The parameters that a macro has for itself: #1 to #33.
 const ARGUMENTS: usize = 33;
 
-/// Letters of arguments and the parameters that they set; G, L, N, O and P have other meanings.
-const LETTERS: [(char, usize); 21] = [
-    ('A', 1),
-    ('B', 2),
-    ('C', 3),
-    ('I', 4),
-    ('J', 5),
-    ('K', 6),
-    ('D', 7),
-    ('E', 8),
-    ('F', 9),
-    ('H', 11),
-    ('M', 13),
-    ('Q', 17),
-    ('R', 18),
-    ('S', 19),
-    ('T', 20),
-    ('U', 21),
-    ('V', 22),
-    ('W', 23),
-    ('X', 24),
-    ('Y', 25),
-    ('Z', 26),
-];
+/// Letters of arguments, at the places of the parameters that they set, from #1; G, L, N, O and P have
+/// other meanings.
+const LETTERS: &[u8; 26] = b"ABCIJKDEF H M   QRSTUVWXYZ";
 
 /// In the old form of up to four digits, what stands before them tells how often.
 const OLD_FORM: u32 = 10_000;
@@ -119,15 +98,14 @@ impl Runner {
         let mut locals = Box::new([UNSET; LOCALS]);
         let (mut group, mut last) = (0, 0);
         for word in self.block.words.get(first..).unwrap_or_default() {
-            let Some((_, number)) = LETTERS.iter().find(|(letter, _)| *letter == word.letter)
-            else {
+            let place = LETTERS.iter().position(|letter| char::from(*letter) == word.letter);
+            let Some(mut number) = place.map(|place| place + 1) else {
                 let message = format!("the word {} is no argument of a macro", word.letter);
                 let origin = self.block.origin_at(word.column);
                 let hint = "it is left out";
                 self.interpreter.report.error("word-not-understood", message, origin, hint);
                 continue;
             };
-            let mut number = *number;
             if matches!(word.letter, 'I' | 'J' | 'K') {
                 group += usize::from(number <= last) * 3;
                 last = number;

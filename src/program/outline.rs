@@ -398,7 +398,7 @@ fn o_word(cursor: &mut Cursor, mark: &mut Mark) -> Option<()> {
     let from = cursor.at();
     match first {
         b'<' => {
-            cursor.take_while(&|c: char| c != '>');
+            cursor.until('>');
             cursor.eat(b'>');
         }
         b'[' => {
@@ -409,7 +409,7 @@ fn o_word(cursor: &mut Cursor, mark: &mut Mark) -> Option<()> {
             cursor.skip();
             match cursor.peek()? {
                 b'<' => {
-                    cursor.take_while(&|c: char| c != '>');
+                    cursor.until('>');
                     cursor.eat(b'>');
                 }
                 _ => {

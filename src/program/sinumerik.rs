@@ -19,7 +19,7 @@ use super::interpret::Interpreter;
 use super::lexer::{LineReader, quote};
 use super::number::whole;
 use super::parameters::{LAST, Target};
-use super::spline_words::{ADDRESSES, NAMES};
+use super::spline_words::{ADDRESS_LETTERS, ADDRESSES, LETTERS, NAMES, VALUES, place_in};
 use super::words::Words;
 
 /// What moves no tool by itself: how the control follows the path, what it shows, what it waits for.
@@ -50,31 +50,26 @@ impl LineReader<'_> {
             self.warn("left-out", from, "only the machine has such variables", hint);
             return true;
         }
-        if self.cursor.eat_all("CR=") {
-            // The radius of an arc, with the sign that tells which.
-            let value = self.expression(1);
-            self.accept_value(b'R', value, from);
-            return true;
-        }
         if self.cursor.eat_all("MSG(") {
-            let text = self.cursor.take_while(&|c: char| c != ')');
+            let text = self.cursor.until(')');
             let shown: String = text.chars().filter(|c| !c.is_control() && *c != '"').collect();
             self.cursor.eat(b')');
             self.block.comments.push(format!("(MSG,{shown})"));
             return true;
         }
         let name = self.cursor.identifier();
-        for (known, letter, value) in NAMES {
-            if name.eq_ignore_ascii_case(known) {
-                self.push(letter, value, from);
-                return true;
-            }
+        if let Some(place) = place_in(NAMES, name)
+            && let (Some(&letter), Some(&value)) = (LETTERS.get(place), VALUES.get(place))
+        {
+            self.push(char::from(letter), f64::from(value), from);
+            return true;
         }
-        for (known, letter) in ADDRESSES {
-            if name.eq_ignore_ascii_case(known) && self.cursor.eat(b'=') {
-                self.assigned(letter, from);
-                return true;
-            }
+        if let Some(place) = place_in(ADDRESSES, name)
+            && let Some(&letter) = ADDRESS_LETTERS.get(place)
+            && self.cursor.eat(b'=')
+        {
+            self.assigned(letter, from);
+            return true;
         }
         if self.flow_name(name, from) {
             return true;
@@ -89,10 +84,10 @@ impl LineReader<'_> {
         }
         // Without arguments it swivels back.
         let swivels_back = name.eq_ignore_ascii_case("CYCLE800") && self.cursor.eat_all("()");
-        if swivels_back || WITHOUT_EFFECT.split(' ').any(|known| name.eq_ignore_ascii_case(known)) {
+        if swivels_back || place_in(WITHOUT_EFFECT, name).is_some() {
             match self.cursor.peek() {
                 Some(b'(') => {
-                    self.cursor.take_while(&|c: char| c != ')');
+                    self.cursor.until(')');
                     self.cursor.eat(b')');
                 }
                 Some(b'=') => {
@@ -110,7 +105,8 @@ impl LineReader<'_> {
         if self.block.words.is_empty()
             && matches!(self.cursor.peek(), None | Some(b'(' | b'P' | b';'))
         {
-            self.jump = Some((Destination::Program(name.to_owned(), self.cursor.at()), column));
+            let behind = from + name.len();
+            self.jump = Some((Destination::Program([from, behind]), column));
             // Its arguments are read where it is called.
             self.cursor.skip_all();
         } else {
@@ -163,7 +159,7 @@ impl LineReader<'_> {
     pub(super) fn assigned(&mut self, letter: u8, from: usize) {
         if self.dialect == Dialect::Sinumerik {
             if letter == b'T' && self.cursor.eat(b'"') {
-                let tool = quote(self.cursor.take_while(&|c: char| c != '"'));
+                let tool = quote(self.cursor.until('"'));
                 self.cursor.eat(b'"');
                 self.block.comments.push(format!("(tool {tool})"));
                 let hint = "give its radius for the D word, or one for all tools";

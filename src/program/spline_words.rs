@@ -18,54 +18,25 @@ use super::words::Words;
 use crate::contour::Shape;
 use crate::geometry::{RadiusForm, perp};
 
-/// Words without a number: their letter and the number that stands for them.
-pub(super) const NAMES: [(&str, char, f64); 24] = [
-    // For one block no frame counts, as by G53.
-    ("SUPA", 'G', 53.0),
-    ("TRANS", 'n', 0.0),
-    ("ROT", 'n', 1.0),
-    ("SCALE", 'n', 2.0),
-    ("MIRROR", 'n', 3.0),
-    ("ATRANS", 'n', 4.0),
-    ("AROT", 'n', 5.0),
-    ("ASCALE", 'n', 6.0),
-    ("AMIRROR", 'n', 7.0),
-    ("NORM", 'k', 0.0),
-    ("KONT", 'k', 1.0),
-    ("KONTT", 'k', 2.0),
-    ("KONTC", 'k', 3.0),
-    ("ASPLINE", 's', 0.0),
-    ("BSPLINE", 's', 1.0),
-    ("CSPLINE", 's', 2.0),
-    ("CT", 's', 3.0),
-    ("CIP", 's', 4.0),
-    ("BAUTO", 'b', 0.0),
-    ("BNAT", 'b', 1.0),
-    ("BTAN", 'b', 2.0),
-    ("EAUTO", 'e', 0.0),
-    ("ENAT", 'e', 1.0),
-    ("ETAN", 'e', 2.0),
-];
+/// Words without a number. For one block no frame counts by SUPA, as by G53.
+pub(super) const NAMES: &str = "SUPA TRANS ROT SCALE MIRROR ATRANS AROT ASCALE AMIRROR NORM KONT \
+    KONTT KONTC ASPLINE BSPLINE CSPLINE CT CIP BAUTO BNAT BTAN EAUTO ENAT ETAN";
 
-/// Words with a value behind `=`, and their letters.
-pub(super) const ADDRESSES: [(&str, u8); 16] = [
-    ("PW", b'w'),
-    ("PL", b'l'),
-    ("SD", b'd'),
-    ("DISC", b'v'),
-    ("OFFN", b'o'),
-    ("RPL", b'p'),
-    ("AR", b'a'),
-    ("AP", b'j'),
-    ("RP", b'q'),
-    ("TURN", b't'),
-    ("RND", b'r'),
-    ("RNDM", b'm'),
-    ("CHR", b'c'),
-    ("CHF", b'f'),
-    ("FRC", b'g'),
-    ("FRCM", b'h'),
-];
+/// Their letters, and the numbers that stand for them.
+pub(super) const LETTERS: &[u8; 24] = b"Gnnnnnnnnkkkksssssbbbeee";
+pub(super) const VALUES: &[u8; 24] = b"\x35\x00\x01\x02\x03\x04\x05\x06\x07\x00\x01\x02\x03\x00\x01\x02\x03\x04\x00\x01\x02\x00\x01\x02";
+
+/// Words with a value behind `=`.
+pub(super) const ADDRESSES: &str =
+    "CR PW PL SD DISC OFFN RPL AR AP RP TURN RND RNDM CHR CHF FRC FRCM";
+
+/// Their letters. The radius of an arc has the sign that tells which.
+pub(super) const ADDRESS_LETTERS: &[u8; 17] = b"Rwldvopajqtrmcfgh";
+
+/// Which of the names in a list a name is.
+pub(super) fn place_in(names: &str, name: &str) -> Option<usize> {
+    names.split(' ').position(|known| known.eq_ignore_ascii_case(name))
+}
 
 impl Interpreter {
     /// The modes that the words set.

@@ -6,33 +6,34 @@
 
 use super::cursor::Cursor;
 use super::expression::{Fault, fault};
-use super::flow::{Destination, Search};
+use super::flow::{Destination, Search, Span};
 use super::lexer::{LineReader, quote};
 use super::outline::{Mark, NONE, Outline, Step};
 use super::parameters::{LOCALS, Setting, UNSET};
 use super::run::{Frame, Place, Runner};
+use super::spline_words::place_in;
 use super::variables::argument;
 
 /// The names that begin lines of the outline, and from which letter on a beginning and its end have
 /// them in common.
-const STRUCTURES: [(&str, Step, usize); 12] = [
-    ("IF", Step::If, 2),
-    ("ELSE", Step::Else, 4),
-    ("ENDIF", Step::EndIf, 5),
-    ("WHILE", Step::LoopStart, 0),
-    ("ENDWHILE", Step::LoopEnd, 3),
-    ("LOOP", Step::LoopStart, 0),
-    ("ENDLOOP", Step::LoopEnd, 3),
-    ("REPEAT", Step::LoopStart, 6),
-    ("UNTIL", Step::Until, 5),
-    ("FOR", Step::For, 3),
-    ("ENDFOR", Step::EndFor, 6),
-    ("PROC", Step::Program, 4),
+const STRUCTURES: &str = "IF ELSE ENDIF WHILE ENDWHILE LOOP ENDLOOP REPEAT UNTIL FOR ENDFOR PROC";
+const STEPS: [(Step, usize); 12] = [
+    (Step::If, 2),
+    (Step::Else, 4),
+    (Step::EndIf, 5),
+    (Step::LoopStart, 0),
+    (Step::LoopEnd, 3),
+    (Step::LoopStart, 0),
+    (Step::LoopEnd, 3),
+    (Step::LoopStart, 6),
+    (Step::Until, 5),
+    (Step::For, 3),
+    (Step::EndFor, 6),
+    (Step::Program, 4),
 ];
 
 /// Names within lines.
-const NAMES: [&str; 11] =
-    ["GOTOF", "GOTOB", "GOTO", "IF", "CASE", "DEF", "PROC", "RET", "REPEAT", "REPEATB", "EXTERN"];
+const NAMES: &str = "GOTOF GOTOB GOTO IF CASE DEF PROC RET REPEAT REPEATB EXTERN";
 
 /// Most repetitions of a section, and most runs of a subprogram that one call asks for.
 const MOST_TIMES: f64 = 1e9;
@@ -61,8 +62,8 @@ pub(super) fn structure(cursor: &mut Cursor, mark: &mut Mark) -> Option<()> {
         from = cursor.at();
         name = cursor.identifier();
     }
-    let (_, step, common) = STRUCTURES.iter().find(|entry| name.eq_ignore_ascii_case(entry.0))?;
-    mark.step = *step;
+    let &(step, common) = STEPS.get(place_in(STRUCTURES, name)?)?;
+    mark.step = step;
     mark.label = [mark.at + from + common, mark.at + from + name.len()];
     mark.after = mark.at + cursor.at();
     let ends = matches!(cursor.peek(), None | Some(b';'));
@@ -89,18 +90,16 @@ pub(super) fn structure(cursor: &mut Cursor, mark: &mut Mark) -> Option<()> {
 impl LineReader<'_> {
     /// A name that changes the order of blocks or makes variables; false where it is another.
     pub(super) fn flow_name(&mut self, name: &str, from: usize) -> bool {
-        let Some(found) = NAMES.iter().position(|known| name.eq_ignore_ascii_case(known)) else {
-            return false;
-        };
+        let Some(found) = place_in(NAMES, name) else { return false };
         self.cursor.peek();
         let column = self.cursor.column(from);
         match found {
             0..=2 => {
                 let search = [Search::Down, Search::Up, Search::DownThenUp][found];
-                let label = self.cursor.identifier().to_owned();
+                let label = self.span();
                 self.jump = Some((Destination::Label(label, search), column));
                 // Other conditions may follow.
-                self.cursor.take_while(&|c: char| c != ';');
+                self.cursor.until(';');
             }
             // What follows counts only where it is true.
             3 if self.holds() => {}
@@ -110,15 +109,22 @@ impl LineReader<'_> {
             6 => self.procedure(),
             7 => {
                 self.jump = Some((Destination::Return, column));
-                self.cursor.take_while(&|c: char| c != ';');
+                self.cursor.until(';');
             }
             8 | 9 => self.jump = Some((self.section(found == 9), column)),
             // It tells what a subprogram takes.
             _ => {
-                self.cursor.take_while(&|c: char| c != ';');
+                self.cursor.until(';');
             }
         }
         true
+    }
+
+    /// The name that comes next.
+    pub(super) fn span(&mut self) -> Span {
+        let from = self.cursor.at();
+        self.cursor.identifier();
+        [from, self.cursor.at()]
     }
 
     /// Moves behind GOTOF and its like with their label.
@@ -160,17 +166,17 @@ impl LineReader<'_> {
 
     /// What stands behind REPEAT and REPEATB: one label or two, and how often.
     fn section(&mut self, is_block: bool) -> Destination {
-        let mut labels = [String::new(), String::new()];
+        let mut labels = [[0; 2]; 2];
         for label in &mut labels {
             self.cursor.peek();
-            let from = self.cursor.at();
-            let name = self.cursor.identifier();
+            let span = self.span();
+            let name = self.cursor.since(span[0]);
             let number = name.strip_prefix(['P', 'p']);
             if number.is_some_and(|digits| digits.bytes().all(|digit| digit.is_ascii_digit())) {
-                self.cursor.set(from);
+                self.cursor.set(span[0]);
                 break;
             }
-            name.clone_into(label);
+            *label = span;
         }
         Destination::Section { labels, is_block, times: self.times() }
     }
@@ -222,20 +228,16 @@ impl Runner {
     }
 
     /// A subprogram by its name.
-    pub(super) fn call_named(
-        &mut self,
-        outline: &Outline,
-        name: &str,
-        arguments: Cursor,
-        column: u32,
-    ) {
+    pub(super) fn call_named(&mut self, outline: &Outline, text: &str, name: Span, column: u32) {
+        let [from, to] = name;
+        let name = text.get(from..to).unwrap_or_default();
         let (found, looked_at) = outline.find(Step::Program, name);
         self.count_labels(looked_at);
         let Some((index, mark)) = found.and_then(|index| Some((index, outline.marks.get(index)?)))
         else {
             return self.no_subprogram(&quote(name), column);
         };
-        let mut reader = self.reader(outline.dialect, arguments);
+        let mut reader = self.reader(outline.dialect, Cursor::new(text, to));
         let values = reader.call_arguments();
         let times = reader.times();
         let values = values.unwrap_or_else(|fault| {
@@ -264,9 +266,11 @@ impl Runner {
     pub(super) fn find_label(
         &mut self,
         outline: &Outline,
-        label: &str,
+        text: &str,
+        [from, to]: Span,
         search: Search,
     ) -> Option<Place> {
+        let label = text.get(from..to).unwrap_or_default();
         let here = self.place.at;
         let (mut found, mut looked_at) = (None, 0);
         let bounds = outline.program_around(here.saturating_sub(1));
@@ -291,20 +295,20 @@ impl Runner {
     pub(super) fn find_section(
         &mut self,
         outline: &Outline,
-        labels: &[String; 2],
+        text: &str,
+        [first, last]: [Span; 2],
         is_block: bool,
     ) -> Option<(Place, u32)> {
         let here = self.block.line;
-        let [first, last] = labels;
-        let whole = !is_block && last.is_empty();
+        let whole = !is_block && last == [0; 2];
         let search = if whole { Search::Up } else { Search::DownThenUp };
-        let start = self.find_label(outline, first, search)?;
+        let start = self.find_label(outline, text, first, search)?;
         let until = if whole {
             here
         } else if is_block {
             start.line.saturating_add(1)
         } else {
-            self.find_label(outline, last, Search::DownThenUp)?.line.saturating_add(1)
+            self.find_label(outline, text, last, Search::DownThenUp)?.line.saturating_add(1)
         };
         Some((start, until))
     }

@@ -7,6 +7,7 @@ use super::expression::{Fault, NO_BRACKET, NO_NUMBER, fault};
 use super::lexer::LineReader;
 use super::number::whole;
 use super::parameters::{Setting, Target, UNSET};
+use super::spline_words::place_in;
 
 /// The name under which a variable is kept; those of other dialects never begin with a point.
 fn key(name: &str) -> String {
@@ -84,7 +85,7 @@ impl LineReader<'_> {
             self.cursor.peek();
             let from = self.cursor.at();
             let kind = self.cursor.identifier();
-            if ["NCK", "CHAN", "VAR"].iter().any(|word| kind.eq_ignore_ascii_case(word)) {
+            if place_in("NCK CHAN", kind).is_some() {
                 continue;
             }
             let Some(is_whole) = is_whole(kind) else { return self.unknown_name(kind, from) };
@@ -103,7 +104,7 @@ impl LineReader<'_> {
         let from = self.cursor.at();
         let name = key(self.cursor.identifier());
         if self.cursor.eat(b'[') {
-            self.cursor.take_while(&|c: char| c != ']');
+            self.cursor.until(']');
             self.cursor.eat(b']');
         }
         self.keep(name.clone(), value, from);
@@ -134,7 +135,7 @@ impl LineReader<'_> {
             self.cursor.eat(b')');
         }
         // SAVE, DISPLOF and their like.
-        self.cursor.take_while(&|c: char| c != ';');
+        self.cursor.until(';');
     }
 
     /// The arguments in brackets, with [`UNSET`] for those that are left out.
@@ -156,12 +157,7 @@ impl LineReader<'_> {
 
 /// Whether variables of a kind are whole numbers; none where they are no numbers.
 fn is_whole(kind: &str) -> Option<bool> {
-    for (name, is_whole) in [("REAL", false), ("INT", true), ("BOOL", true)] {
-        if kind.eq_ignore_ascii_case(name) {
-            return Some(is_whole);
-        }
-    }
-    None
+    Some(place_in("REAL INT BOOL", kind)? > 0)
 }
 
 /// The name under which an argument of a call is kept.
