@@ -421,7 +421,7 @@ impl Interpreter {
     }
 
     fn pause(&mut self, hole: &Hole) {
-        self.wait(hole, self.modal.cycle.dwell);
+        self.wait(hole, self.modal.cycle.dwell.unwrap_or(0.0));
     }
 
     /// Lets the spindle turn as before.

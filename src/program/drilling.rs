@@ -65,17 +65,10 @@ impl LineReader<'_> {
     }
 }
 
-impl Drill {
-    /// An argument, counted from 0, that was given and is not 0.
-    fn given(&self, i: usize) -> Option<f64> {
-        self.arguments.get(i).copied().filter(|value| value.is_finite() && *value != 0.0)
-    }
-}
-
 impl Interpreter {
     /// A hole where the block has led to, if it asks for one, or `moved` after MCALL.
     pub(super) fn drill(&mut self, block: &Block, words: &mut Words, moved: bool) {
-        let Some(drill) = self.modal.drill else { return };
+        let Some(Drill { number, arguments }) = self.modal.drill else { return };
         match words.take('i') {
             Some(word) if word.value != 0.0 => return,
             Some(_) => self.modal.drill = None,
@@ -83,44 +76,61 @@ impl Interpreter {
             None => {}
         }
         let unit = self.modal.unit();
-        let plane = |i: usize| drill.arguments.get(i).map_or(f64::NAN, |value| value * unit);
-        let length = |i: usize| drill.given(i).map(|value| value * unit);
+        let mut given = arguments;
+        for (i, value) in given.iter_mut().enumerate() {
+            // Times and kinds are no lengths.
+            *value = match i {
+                _ if value.is_nan() => 0.0,
+                8..=12 | 15.. => *value,
+                _ => *value * unit,
+            };
+        }
+        let [up, reference, aside, bottom, depth, first_at, first, less, at_bottom, ..] = given;
+        let [.., at_top, _, out, _, least, back, _, _] = given;
         // Depths that count from the reference plane go before those that do not.
-        let reference = plane(1);
-        let depth = |i: usize| length(i + 1).map_or(plane(i), |depth| reference - depth.abs());
-        let (bottom, retract) = (depth(3), reference + length(2).unwrap_or(0.0).abs());
-        let clear = plane(0).max(retract);
-        let compensates = self.course.switched().is_some();
-        if compensates || self.modal.feed.is_inverse_time() || !bottom.lt(&retract) {
-            let message = format!("CYCLE{} is not possible here", drill.number);
+        let bottom = if depth == 0.0 { bottom } else { reference - depth.abs() };
+        let told = |i: usize| !arguments.get(i).is_none_or(|value| value.is_nan());
+        let first = match first.abs() {
+            0.0 if told(5) => reference - first_at,
+            first => first,
+        };
+        let retract = reference + aside.abs();
+        let possible =
+            (depth != 0.0 || told(3)) && bottom < retract && !self.modal.feed.is_inverse_time();
+        if !possible || self.course.switched().is_some() {
+            let message = format!("CYCLE{number} is not possible here");
             let hint = "it needs G40, no G93, and a depth below its reference plane";
             return self.error("cycle-not-possible", message, block.start(), hint);
         }
         let at = self.modal.frame.unmap(self.modal.position);
-        let hole = Hole { block, at, retract, bottom, clear };
+        let hole = Hole { block, at, retract, bottom, clear: up.max(retract) };
         let mut down = Axes::default();
         down.words[self.modal.plane.axes()[2]] = block.words.first();
         self.cycle_to(block, &down, at, retract, true);
-        let mut dwell = drill.given(5);
-        if drill.number == 83 {
-            dwell = drill.given(8);
-            let first = reference - depth(5);
+        let mut dwell = if number == 82 { first_at / unit } else { 0.0 };
+        if number == 83 {
+            dwell = at_bottom;
             let first = if first > 0.0 { first } else { reference - bottom };
-            self.steps(&hole, &drill, [reference, first], dwell);
+            let back = if back == 0.0 { CHIP_RETRACT } else { back.abs() };
+            let back = if out == 0.0 { Some(back) } else { None };
+            self.steps(&hole, [reference, first, less, least], [dwell, at_top], back);
         }
         self.go(&hole, bottom, false);
-        if drill.number > 81 {
-            self.wait(&hole, dwell);
-        }
-        self.go(&hole, clear, true);
+        self.wait(&hole, dwell);
+        self.go(&hole, hole.clear, true);
     }
 
-    /// The steps of a deep hole but the last: the first, then each shorter than the one before.
-    fn steps(&mut self, hole: &Hole, drill: &Drill, [from, first]: [f64; 2], dwell: Option<f64>) {
-        let unit = self.modal.unit();
-        let less = drill.given(7).unwrap_or(0.0);
-        let least = drill.given(13).map_or(0.0, |least| least * unit).max(less * unit);
-        let least = if less == 0.0 { first } else { least.min(first) };
+    /// The steps of a deep hole but the last: the `first`, then each shorter than the one before by
+    /// `less` or, where that is negative, by its factor, but never than that or the `least`. Between
+    /// them it goes `back` a little, or else out of the hole.
+    fn steps(
+        &mut self,
+        hole: &Hole,
+        [from, first, less, least]: [f64; 4],
+        [at_bottom, at_top]: [f64; 2],
+        back: Option<f64>,
+    ) {
+        let least = if less == 0.0 { first } else { least.max(less).min(first) };
         let count = (from - hole.bottom) / least;
         if !count.lt(&MOST) {
             let message = "the steps of the cycle are too small";
@@ -131,21 +141,19 @@ impl Interpreter {
         if !self.may_expand(hole.block, count as u32) {
             return;
         }
-        let back = drill.given(14).map_or(CHIP_RETRACT, |back| back.abs() * unit);
         let clearance = ((from - hole.bottom) / 50.0).clamp(CLEARANCE, 7.0);
         let (mut depth, mut step) = (from - first, first);
         while depth > hole.bottom + MIN_LENGTH {
             self.go(hole, depth, false);
-            self.wait(hole, dwell);
-            if drill.given(11).is_some() {
-                self.go(hole, hole.retract, true);
-                self.wait(hole, drill.given(9));
-                self.go(hole, depth + clearance, true);
-            } else {
+            self.wait(hole, at_bottom);
+            if let Some(back) = back {
                 self.go(hole, depth + back, false);
+            } else {
+                self.go(hole, hole.retract, true);
+                self.wait(hole, at_top);
+                self.go(hole, depth + clearance, true);
             }
-            // By an amount, or by a factor.
-            let shorter = if less < 0.0 { step * -less } else { step - less * unit };
+            let shorter = if less < 0.0 { step * -less / self.modal.unit() } else { step - less };
             step = shorter.min(step).max(least);
             let rest = depth - hole.bottom;
             if less > 0.0 && rest > step && rest < 2.0 * step {
@@ -155,8 +163,8 @@ impl Interpreter {
         }
     }
 
-    pub(super) fn wait(&mut self, hole: &Hole, seconds: Option<f64>) {
-        if let Some(seconds) = seconds.filter(|seconds| *seconds > 0.0) {
+    pub(super) fn wait(&mut self, hole: &Hole, seconds: f64) {
+        if seconds > 0.0 {
             self.say(hole, &format!("G4 {}", text_of('P', seconds)));
         }
     }
