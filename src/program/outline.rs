@@ -142,11 +142,11 @@ impl Outline {
             };
             match cursor.peek() {
                 None => {}
-                Some(_) if named.is_some() => self.marks.extend(named),
                 Some(_) if end.is_some() => {
                     report.push(after_end(line));
                     break;
                 }
+                Some(_) if named.is_some() => self.marks.extend(named),
                 // Comments may stand before the first.
                 Some(b'%') if !opened && !words => opened = true,
                 Some(b'%') => end = Some(at),

@@ -256,6 +256,12 @@ fn subprograms_are_called_by_name() {
         ["missing-subprogram", "missing-subprogram"],
         "files of their own"
     );
+    let after = "%\nG0 X1\nGOTOF AA\n%\n%_N_SUB1_SPF\nAA: X2\n";
+    assert_eq!(
+        codes(after, Sinumerik),
+        ["missing-block", "after-end"],
+        "behind the end is nothing"
+    );
     let own = "G0 X1\nSUB1\nM30\n%_N_SUB1_SPF\nSUB1\nM17\n";
     assert_eq!(codes(own, Sinumerik), ["nested-too-deep"], "one that calls itself");
 }
