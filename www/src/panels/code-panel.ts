@@ -176,11 +176,13 @@ function actions(store: Store, shown: () => ProgramView["text"]): void {
   copy.addEventListener("click", async () => {
     const text = shown();
     const letters = typeof text === "string" ? text : new TextDecoder().decode(text);
-    const said = await navigator.clipboard.writeText(letters).then(
-      () => "Copied",
-      () => "Not allowed",
-    );
-    copy.textContent = said;
+    try {
+      await navigator.clipboard.writeText(letters);
+      copy.textContent = "Copied";
+    } catch {
+      // Neither where it is refused nor on a page without https, which has no clipboard at all.
+      copy.textContent = "Not allowed";
+    }
     setTimeout(() => {
       copy.textContent = "Copy";
     }, 1400);
