@@ -13,6 +13,7 @@
 mod banded;
 mod course;
 mod equations;
+mod knots;
 mod law;
 mod limit;
 mod ramp;
