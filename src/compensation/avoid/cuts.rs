@@ -15,12 +15,6 @@ use crate::geometry::sort_long;
 /// on both.
 pub(super) const SAME_PLACE: f64 = 1e-7;
 
-/// Width of the columns in which crossings at the same place are looked for [mm].
-const COLUMN: f64 = 4.0 * SAME_PLACE;
-
-/// What is so near as to have the same neighbours, as a part of that distance.
-const NO_WAY: f64 = 1e-3;
-
 /// Places examined on a stretch between two cuts beside its middle, to both sides of it from there.
 /// The first ones are left out where it is shorter than the radius, and all on a short one that is not
 /// cut at all, since its neighbours are examined too.
@@ -114,7 +108,7 @@ impl Survey<'_> {
     /// The stretches of the raw path that the tool can take, in order.
     pub(super) fn clear_stretches(&self, clearance: &mut Clearance) -> Vec<Stretch> {
         let (mut cuts, crossings) = self.cuts(clearance);
-        let places = merge_places(&cuts, crossings);
+        let places = merge_places(&mut cuts, crossings);
         let mut stretches = self.stretches(&mut cuts, &places);
         // A crossing where two pieces follow each other may be found on one of the two only.
         for k in 0..stretches.len() {
@@ -162,13 +156,7 @@ impl Survey<'_> {
                 boxes.push(piece.curve.hull_bounds().inflated(SAME_PLACE));
             }
         }
-        let mut tree = BoxTree::new(boxes);
-        let mut twins = Vec::new();
-        if tree.is_sorted() {
-            twins = self.take_twins(&mut open);
-            let boxes = open.iter().map(|&i| pieces[i].curve.hull_bounds().inflated(SAME_PLACE));
-            tree = BoxTree::new(boxes.collect());
-        }
+        let tree = BoxTree::new(boxes);
         let mut cuts: Vec<Cut> = Vec::new();
         let mut crossings = 0;
         for &i in &open {
@@ -207,47 +195,7 @@ impl Survey<'_> {
                 });
             });
         }
-        if !twins.is_empty() {
-            sort_by_piece(&mut cuts);
-            let found = cuts.len();
-            for [twin, first] in twins {
-                let from = cuts[..found].partition_point(|cut| cut.piece < first);
-                for k in from..found {
-                    if cuts[k].piece != first {
-                        break;
-                    }
-                    cuts.push(Cut { piece: twin, ..cuts[k] });
-                }
-            }
-        }
         (cuts, crossings)
-    }
-
-    /// Takes pieces out of a list that are the same curve as one that stays in it, as those of a lap
-    /// are that is gone over again: they are cut where that is. Returns each with that one.
-    fn take_twins(&self, open: &mut Vec<usize>) -> Vec<[usize; 2]> {
-        let pieces = &self.work.pieces;
-        let mut sorted = open.clone();
-        let key = |i: usize| {
-            let (from, to) = (pieces[i].curve.start(), pieces[i].curve.end());
-            (from.x, from.y, to.x, to.y, i)
-        };
-        sort_long(&mut sorted, |&a, &b| key(a) < key(b));
-        let mut twins = Vec::new();
-        let mut first = sorted.first().copied().unwrap_or(0);
-        for i in sorted {
-            if i != first && pieces[first].curve == pieces[i].curve {
-                twins.push([i, first]);
-            } else {
-                first = i;
-            }
-        }
-        let mut is_twin = vec![false; pieces.len()];
-        for [twin, _] in &twins {
-            is_twin[*twin] = true;
-        }
-        open.retain(|&i| !is_twin[i]);
-        twins
     }
 
     /// Whether a crossing of two pieces is only the end they share.
@@ -341,47 +289,28 @@ fn sort_by_piece(cuts: &mut [Cut]) {
 }
 
 /// Gives crossings at the same place one number; returns the number of each crossing.
-///
-/// They are looked for along thin columns, and again along others halfway beside those, so that any two
-/// of them are in one.
-fn merge_places(cuts: &[Cut], crossings: u32) -> Vec<u32> {
+fn merge_places(cuts: &mut [Cut], crossings: u32) -> Vec<u32> {
     let mut number: Vec<u32> = (0..crossings).collect();
-    let mut places: Vec<(u32, DVec2)> = Vec::with_capacity(number.len());
-    for cut in cuts {
-        // Each is on two pieces.
-        if let Some(crossing) = cut.crossing.filter(|&crossing| places.len() == crossing as usize) {
-            places.push((crossing, cut.point));
-        }
-    }
-    for shift in [0.0, 0.5] {
-        let column = |place: DVec2| (place.x / COLUMN + shift).floor();
-        let key = |&(_, place): &(u32, DVec2)| (column(place), place.y);
-        sort_long(&mut places, |a, b| key(a) < key(b));
-        for i in 0..places.len() {
-            let (here, place) = places[i];
-            for &(there, other) in &places[i + 1..] {
-                if other.y - place.y > SAME_PLACE || column(other) > column(place) {
-                    break;
-                }
-                let off = other.distance(place);
-                if off <= SAME_PLACE {
-                    let (a, b) = (root(&mut number, here), root(&mut number, there));
-                    number[a.max(b) as usize] = a.min(b);
-                }
-                // What else is there it is near to as well.
-                if off <= NO_WAY * SAME_PLACE {
-                    break;
-                }
+    sort_long(cuts, |a, b| a.point.x < b.point.x);
+    for i in 0..cuts.len() {
+        let Some(here) = cuts[i].crossing else { continue };
+        for other in &cuts[i + 1..] {
+            if other.point.x - cuts[i].point.x > SAME_PLACE {
+                break;
+            }
+            if let Some(there) = other.crossing
+                && other.point.distance(cuts[i].point) <= SAME_PLACE
+            {
+                let (a, b) = (root(&number, here), root(&number, there));
+                number[a.max(b) as usize] = a.min(b);
             }
         }
     }
-    (0..crossings).map(|k| root(&mut number, k)).collect()
+    (0..crossings).map(|k| root(&number, k)).collect()
 }
 
-fn root(number: &mut [u32], mut k: u32) -> u32 {
+fn root(number: &[u32], mut k: u32) -> u32 {
     while number[k as usize] != k {
-        // Halves the way for those who ask later.
-        number[k as usize] = number[number[k as usize] as usize];
         k = number[k as usize];
     }
     k
