@@ -1,6 +1,7 @@
 // A program as its user sees it: what the WebAssembly holds, unpacked when it is asked for.
 import { emitted } from "./gcode.js";
 import { Handle } from "./lifecycle.js";
+import { dialects } from "./options.js";
 import { polylinesOf } from "./polylines.js";
 
 /** @typedef {import("./types.d.ts").Program} Face */
@@ -32,6 +33,11 @@ export class Program {
   /** @param {(glue: Glue) => Raw} make */
   constructor(make) {
     this.#handle = new Handle(make);
+  }
+
+  get dialect() {
+    const index = this.#handle.use((raw) => raw.dialect());
+    return /** @type {Face["dialect"]} */ (dialects[index]);
   }
 
   get diagnostics() {

@@ -10,7 +10,9 @@ use super::polylines_handle::PolylinesHandle;
 use super::programmed::contours_json;
 use super::report::{diagnostics_json, gouges_json};
 use super::tool_path::ToolPathHandle;
-use crate::program::{Interpretation, Item, ProgrammedContour, RadiusSource, programmed_path};
+use crate::program::{
+    Dialect, Interpretation, Item, ProgrammedContour, RadiusSource, programmed_path,
+};
 use crate::simulation::{ListedTool, Profile, ToolSize, Tools, check_program};
 
 /// A program that was read and understood; `Program` of `types.d.ts` holds one.
@@ -19,12 +21,13 @@ use crate::simulation::{ListedTool, Profile, ToolSize, Tools, check_program};
 pub struct ProgramHandle {
     interpretation: Interpretation,
     profile: Profile,
+    dialect: Dialect,
 }
 
 impl ProgramHandle {
-    /// Holds what was read by the rules of `profile`.
-    pub(super) fn new(interpretation: Interpretation, profile: Profile) -> Self {
-        Self { interpretation, profile }
+    /// Holds what was read as `dialect` by the rules of `profile`.
+    pub(super) fn new(interpretation: Interpretation, profile: Profile, dialect: Dialect) -> Self {
+        Self { interpretation, profile, dialect }
     }
 
     /// What it holds.
@@ -47,6 +50,12 @@ impl ProgramHandle {
 
 #[wasm_bindgen]
 impl ProgramHandle {
+    /// The place of `dialect` among the names of `options.js`.
+    #[must_use]
+    pub fn dialect(&self) -> u8 {
+        self.dialect as u8
+    }
+
     /// `diagnostics` as JSON.
     #[must_use]
     pub fn diagnostics(&self) -> String {

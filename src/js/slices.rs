@@ -7,7 +7,7 @@ use super::numbering::Numbering;
 use super::program::{ProgramHandle, tool_table};
 use super::settings::Settings;
 use super::tool_path::ToolPathHandle;
-use crate::program::{Program, Rules, RunOptions, Runner};
+use crate::program::{Dialect, Program, Rules, RunOptions, Runner};
 use crate::simulation::{Profile, ProgramCompensation};
 
 /// A program that is being read; `ProgramReader` of `types.d.ts` holds one.
@@ -16,6 +16,7 @@ use crate::simulation::{Profile, ProgramCompensation};
 pub struct ReaderHandle {
     runner: Runner,
     profile: Profile,
+    dialect: Dialect,
 }
 
 #[wasm_bindgen]
@@ -38,7 +39,7 @@ impl ReaderHandle {
         let dialect = rules.dialect(dialect, &text);
         let program = Program::from_text(text, dialect);
         let runner = Runner::new(&program, RunOptions { rules, ..RunOptions::default() });
-        Self { runner, profile }
+        Self { runner, profile, dialect }
     }
 
     /// Reads so many lines; false once there are none left.
@@ -55,7 +56,7 @@ impl ReaderHandle {
     /// The program, as far as it was read.
     #[must_use]
     pub fn finish(self) -> ProgramHandle {
-        ProgramHandle::new(self.runner.finish(), self.profile)
+        ProgramHandle::new(self.runner.finish(), self.profile, self.dialect)
     }
 }
 

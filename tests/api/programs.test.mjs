@@ -22,6 +22,20 @@ test("a program holds its contours as they could be given from code", () => {
   assert.deepEqual(segments[0].origin.number, 40);
 });
 
+test("a program tells the language in which it was read", () => {
+  for (const [text, options, dialect] of [
+    ["G0 X5\nM30\n", {}, "auto"],
+    ["o<a> sub\no<a> endsub\n", {}, "linuxcnc"],
+    ["%\nO1234\nM30\n", {}, "fanuc"],
+    ["R1=5\nG0 X=R1\n", {}, "sinumerik"],
+    ["R1=5\nG0 X=R1\n", { dialect: "fanuc" }, "fanuc"],
+    ["G0 X5\nM30\n", { profile: "sinumerik" }, "sinumerik"],
+    ["%\nO1234\nM30\n", { profile: "linuxcnc" }, "linuxcnc"],
+  ]) {
+    assert.equal(parseProgram(text, options).dialect, dialect, text);
+  }
+});
+
 test("a programmed contour is compensated from code as in its program", () => {
   const read = parseProgram(program);
   const whole = compensate(read, tools);

@@ -218,7 +218,7 @@ test("the rules of the control whose words a program has are offered, and taken 
     ["o100 sub\no100 endsub\nM2\n", "LinuxCNC"],
   ] as const) {
     await g41.drop({ name: "own.nc", text });
-    await expect(offer).toContainText(`words of ${control}`);
+    await expect(offer).toContainText(`written for ${control}`);
     await page.getByRole("button", { name: `Use ${control}'s rules` }).click();
     await expect(profile.locator("option:checked")).toHaveText(control);
     await expect(offer).toBeHidden();

@@ -19,7 +19,7 @@ export const EXAMPLES: readonly Example[] = [
     note: "Lines, arcs and a spline; all three transitions",
     settings: { radius: 5 },
     text: `%
-O0041 (ROCKER PLATE)
+(ROCKER PLATE)
 N10 G17 G21 G90
 N20 G0 X-20 Y8
 N30 G1 G41 D1 X0 Y18 F400 (LEAD-IN)
@@ -48,7 +48,7 @@ N190 M30
     note: "A lobe through type points on a base circle",
     settings: { radius: 5 },
     text: `%
-O0020 (CAM WITH SPLINE LOBE)
+(CAM WITH SPLINE LOBE)
 N10 G17 G21 G90
 N20 G0 X10 Y-44
 N30 G1 G41 D1 X0 Y-20 F400
@@ -71,7 +71,7 @@ N130 M30
     note: "Inside, with the tool on the right of the contour",
     settings: { radius: 4 },
     text: `%
-O0042 (POCKET, TOOL ON THE RIGHT)
+(POCKET, TOOL ON THE RIGHT)
 N10 G17 G21 G90
 N20 G0 X72 Y24
 N30 G1 G42 D1 X66 Y0 F300
@@ -101,7 +101,7 @@ N200 M30
     note: "Acute corners, where moves are inserted",
     settings: { radius: 3 },
     text: `%
-O0005 (STAR)
+(STAR)
 N10 G17 G21 G90
 N20 G0 X-1 Y-38
 N30 G1 G41 D1 X5.29 Y-18.531 F400
@@ -129,7 +129,7 @@ N180 M30
     note: "16 type points: compare both spline methods",
     settings: { radius: 8 },
     text: `%
-O0016 (ELLIPSE THROUGH 16 TYPE POINTS)
+(ELLIPSE THROUGH 16 TYPE POINTS)
 N10 G17 G21 G90
 N20 G0 X-66 Y-8
 N30 G1 G41 D1 X-40 Y0 F400
@@ -160,7 +160,7 @@ N210 M30
     note: "An open contour",
     settings: { radius: 2 },
     text: `%
-O0019 (LETTER S, OPEN CONTOUR)
+(LETTER S, OPEN CONTOUR)
 N10 G17 G21 G90
 N20 G0 X58 Y52
 N30 G1 G41 D1 X44 Y54 F300
@@ -186,7 +186,7 @@ N160 M30
     note: "Two contours in one program",
     settings: { radius: 4 },
     text: `%
-O0012 (TWO SLOTS)
+(TWO SLOTS)
 N10 G17 G21 G90
 N20 G0 X30 Y10
 N30 G1 G41 D1 Y0 F300
@@ -221,7 +221,7 @@ N250 M30
     note: "A corridor that the tool does not fit through: gouges, or what avoiding them leaves",
     settings: { radius: 5, gouge: "avoid" },
     text: `%
-O0043 (TWO ROOMS AND A CORRIDOR)
+(TWO ROOMS AND A CORRIDOR)
 N10 G17 G21 G90
 N20 G0 X22 Y26 Z5
 N30 G1 Z-2 F120
@@ -258,7 +258,7 @@ N270 M30
     note: "Involute flanks (G03.2), whose offsets are involutes of the same circle",
     settings: { radius: 2 },
     text: `%
-O0030 (GEAR OF 12 TEETH, MODULE 6)
+(GEAR OF 12 TEETH, MODULE 6)
 N10 G17 G21 G90
 N20 G0 X54.0918 Y-14.4939
 N30 G1 G42 D1 X27.5289 Y-7.3763 F400

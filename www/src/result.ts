@@ -1,6 +1,6 @@
 // What goes to the worker and what comes back: plain data, with geometry in typed arrays.
 
-import type { Diagnostic, Gouge, ProgrammedContour, Transition, Uncut } from "g41";
+import type { Diagnostic, Dialect, Gouge, ProgrammedContour, Transition, Uncut } from "g41";
 import type { Axes, Strokes } from "./large/strokes";
 import type { LongText } from "./long-text";
 import type { Settings } from "./parameters";
@@ -47,6 +47,8 @@ export interface Result {
   readonly axes: Axes;
   /** The box around what is shown [mm]. */
   readonly box: Box | undefined;
+  /** The language in which the text was read. */
+  readonly dialect: Dialect;
   /** Numbers of the tools that contours call. */
   readonly tools: readonly number[];
   /** Of a very long program, whose contours, moves, transitions and findings are not listed. */

@@ -108,6 +108,11 @@ export interface ProgrammedContour extends Contour {
  */
 export class Program {
   private constructor();
+  /**
+   * How the text was understood: as asked for, or else as `ParseOptions` tells; `"auto"` where it shows
+   * signs of no dialect, and the profile asks for none.
+   */
+  readonly dialect: Dialect;
   /** What was found while reading. */
   readonly diagnostics: Diagnostic[];
   /** The contours between G41 or G42 and G40, in order. */

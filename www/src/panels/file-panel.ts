@@ -1,12 +1,10 @@
 // The file that is shown, which control it is written for, and the compensated program to be saved.
 
-import type { Profile } from "g41";
 import { setSettings } from "../actions";
-import { controlOf } from "../control-signs";
 import { DIALECTS, isName, PROFILES, TARGETS } from "../controls";
 import { type Files, save, savedName } from "../files";
 import type { LongText } from "../long-text";
-import { INITIAL_SETTINGS } from "../parameters";
+import { INITIAL_SETTINGS, type Settings } from "../parameters";
 import { isResultOf } from "../result";
 import { linkTo } from "../share";
 import type { Store } from "../state";
@@ -104,28 +102,36 @@ function offer(store: Store): HTMLElement {
   const seen = element("span");
   const use = element("button", { type: "button", class: "button" });
   const row = element("p", { class: "offer" }, seen, use);
-  let control: Profile | undefined;
+  const control = () => {
+    const { result } = store.state;
+    // Another profile would be what decides. A result that is not of this very text yet will do.
+    if (!result || !isOpen(result.settings) || !isOpen(store.document.settings)) return undefined;
+    return result.dialect === "auto" ? undefined : result.dialect;
+  };
   use.addEventListener("click", () => {
-    if (!control) return;
-    setSettings(store, { profile: control });
+    const profile = control();
+    if (!profile) return;
+    setSettings(store, { profile });
     // The button goes, and the focus must not go with it.
     row.parentElement?.querySelector<HTMLElement>(".file-profile select")?.focus();
   });
-  let known: string | undefined;
   const show = () => {
-    const { text, settings } = store.document;
-    if (text !== known) control = controlOf(text);
-    known = text;
-    row.hidden = control === undefined || settings.profile !== INITIAL_SETTINGS.profile;
-    if (!control) return;
-    seen.textContent = `It has words of ${PROFILES[control]}.`;
-    use.textContent = `Use ${PROFILES[control]}'s rules`;
+    const found = control();
+    row.hidden = !found;
+    if (!found) return;
+    seen.textContent = `It seems to be written for ${PROFILES[found]}.`;
+    use.textContent = `Use ${PROFILES[found]}'s rules`;
   };
   store.subscribe((state, before) => {
-    if (state.history !== before.history) show();
+    if (state.history !== before.history || state.result !== before.result) show();
   });
   show();
   return row;
+}
+
+/** Whether neither rules nor a language are chosen. */
+function isOpen({ profile, dialect }: Settings): boolean {
+  return profile === INITIAL_SETTINGS.profile && dialect === INITIAL_SETTINGS.dialect;
 }
 
 /** A button that copies a link to the program as it is. */
