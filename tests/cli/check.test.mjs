@@ -44,6 +44,19 @@ test("several programs are judged one after the other, and one that is wrong dec
   );
 });
 
+test("a file that cannot be read does not keep others from being judged", async () => {
+  const args = ["check", "narrow.ngc", "absent.ngc", "good.ngc", "--radius", "3"];
+  const { code, out, err } = await g41(args);
+  assert.equal(code, 3);
+  assert.match(err, /^g41: error: absent\.ngc: there is no such file/m);
+  assert.match(out, /^narrow\.ngc: .+\ngood\.ngc: no errors/);
+  const listed = JSON.parse((await g41([...args, "--json"])).out);
+  assert.deepEqual(
+    listed.map(({ file }) => file),
+    ["narrow.ngc", "good.ngc"],
+  );
+});
+
 test("many programs are judged without a word of Node.js", async () => {
   // Each of them is written to standard output, whose listeners once added up to a warning.
   const files = Array.from({ length: 12 }, () => "good.ngc");

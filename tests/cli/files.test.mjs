@@ -3,7 +3,10 @@ import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
 import {
   chmodSync,
+  closeSync,
+  existsSync,
   linkSync,
+  openSync,
   readdirSync,
   readFileSync,
   statSync,
@@ -20,6 +23,21 @@ const { g41, read, write, path, home } = installed({
 });
 
 const radius = ["--radius", "3"];
+
+const command = () => path("node_modules/g41/dist/cli.js");
+
+/** A program whose JSON takes a while. */
+const long = Array.from({ length: 20_000 }, (_, i) => `G1 X${i} Y${i % 7} F100\n`).join("");
+
+/** How a process ends, and what it says to that. */
+async function ended(child) {
+  let errors = "";
+  child.stderr.setEncoding("utf8").on("data", (text) => {
+    errors += text;
+  });
+  const code = await new Promise((resolve) => child.on("close", resolve));
+  return { code, errors };
+}
 
 test("-o writes the file, and leaves nothing else behind", async () => {
   const before = readdirSync(home());
@@ -85,19 +103,66 @@ test("a text that is not UTF-8 comes out as it went in", async () => {
   writeFileSync(path("wide.ngc"), wide);
   const utf16 = await g41(["convert", "wide.ngc", ...radius]);
   assert.deepEqual([utf16.code, utf16.out], [0, utf8.out]);
+  writeFileSync(path("swapped.ngc"), wide.swap16());
+  assert.equal((await g41(["convert", "swapped.ngc", ...radius])).out, utf8.out);
+});
+
+test("what cannot be written whole is told, to a file and to standard output", {
+  skip: !existsSync("/dev/full"),
+}, async () => {
+  const { code, err } = await g41(["convert", "part.ngc", ...radius, "-o", "/dev/full"]);
+  assert.equal(code, 3);
+  assert.match(err, /^g41: error: \/dev\/full: there is no space left/);
+  const full = openSync("/dev/full", "w");
+  for (const args of [
+    ["convert", "part.ngc", ...radius],
+    ["check", "part.ngc", ...radius],
+  ]) {
+    const child = spawn(process.execPath, [command(), ...args], {
+      cwd: home(),
+      stdio: ["ignore", full, "pipe"],
+    });
+    const { code, errors } = await ended(child);
+    assert.deepEqual([code, errors], [3, "g41: error: <stdout>: there is no space left\n"]);
+  }
+  closeSync(full);
+});
+
+test("- is standard output", async () => {
+  const { code, out } = await g41(["convert", "part.ngc", ...radius, "-o", "-"]);
+  assert.equal(code, 0);
+  assert.deepEqual(pointsOf(out), centres(3));
+  assert.ok(!existsSync(path("-")), "no file");
+});
+
+test("what is ended from outside leaves nothing behind, and the exit code of that signal", {
+  skip: process.platform === "win32",
+}, async () => {
+  write("long.ngc", long);
+  for (const [signal, number] of [
+    ["SIGINT", 2],
+    ["SIGTERM", 15],
+    ["SIGHUP", 1],
+  ]) {
+    const before = readdirSync(home());
+    const args = [command(), "convert", "long.ngc", "--json", "-o", "out.json"];
+    const child = spawn(process.execPath, args, { cwd: home() });
+    const drafts = () => readdirSync(home()).filter((name) => name.startsWith(".out.json."));
+    while (drafts().length === 0 && child.exitCode === null) {
+      await new Promise((resolve) => setTimeout(resolve, 2));
+    }
+    child.kill(signal);
+    const { code } = await ended(child);
+    assert.equal(code, 128 + number, signal);
+    assert.deepEqual(readdirSync(home()), before, signal);
+  }
 });
 
 test("who reads standard output may stop reading", async () => {
-  const lines = Array.from({ length: 20_000 }, (_, i) => `G1 X${i} Y${i % 7} F100`);
-  write("long.ngc", lines.join("\n"));
-  const command = path("node_modules/g41/dist/cli.js");
-  const child = spawn(process.execPath, [command, "convert", path("long.ngc"), "--json"]);
-  let errors = "";
-  child.stderr.setEncoding("utf8").on("data", (text) => {
-    errors += text;
-  });
+  write("long.ngc", long);
+  const child = spawn(process.execPath, [command(), "convert", path("long.ngc"), "--json"]);
   child.stdout.once("data", () => child.stdout.destroy());
-  const code = await new Promise((resolve) => child.on("close", resolve));
+  const { code, errors } = await ended(child);
   assert.deepEqual([code, errors], [0, ""]);
 });
 

@@ -82,6 +82,12 @@ test("wrong use ends with exit code 2, says what is wrong, and guesses what was 
     [["convert", "part.ngc", "--curve-tolerance", "0"], /--curve-tolerance must be at least/],
     [["convert", "part.ngc", "--keep-compensation", "--radius", "3"], /--radius is for a path/],
     [["convert", "part.ngc", "--keep-compensation", "--json"], /--json is for a path/],
+    [["convert", "part.ngc", "--json", "--explain"], /--explain is for a program, which --json/],
+    [["convert", "part.ngc", "--json", "--to", "marlin"], /--to is for a program/],
+    [
+      ["plan", "part.ngc", "--limits=velocity=9,acceleration=9,jerk=9", "--csv=-"],
+      /--csv needs a file/,
+    ],
     [["convert", "part.ngc", "--to", "gbrl"], /--to must be one of/, /mean grbl\?/],
     [["convert", "part.ngc", "--tool", "3"], /--tool must be D=R/],
     [["convert", "part.ngc", "--tool", "1=3,5"], /--tool must be D=R/],

@@ -1,10 +1,10 @@
 // g41 check: programs are compensated and judged by distances.
 import { compensate, check as judge, parseProgram } from "../node.js";
-import { exit, misused } from "./failure.js";
+import { exit, Failure, misused } from "./failure.js";
 import { nameOf, readText } from "./input.js";
 import { write } from "./output.js";
 import { Progress } from "./progress.js";
-import { report } from "./report.js";
+import { complain, report } from "./report.js";
 import { checkOptions, parseOptions, programOptions, toolsOf } from "./settings.js";
 
 /** @typedef {import("./arguments.js").Values} Values */
@@ -34,7 +34,12 @@ export async function check(files, values) {
   /** @type {number} */
   let code = exit.fine;
   for (const file of files) {
-    const { told, gouges } = await judged((await readText(file)).text, values, tools);
+    const text = await readOrComplain(file);
+    if (text === undefined) {
+      code = exit.file;
+      continue;
+    }
+    const { told, gouges } = await judged(text, values, tools);
     const found = [...told, ...untold(gouges, told)];
     report(nameOf(file), found);
     const count = (/** @type {Diagnostic["severity"]} */ severity) =>
@@ -47,13 +52,31 @@ export async function check(files, values) {
       await write(undefined, [`${nameOf(file)}: ${summary.join(", ")}\n`], "utf8");
     }
     if (errors > 0 || gouges.length > 0) {
-      code = exit.faults;
+      code = Math.max(code, exit.faults);
     }
   }
   if (values.json) {
     await write(undefined, [`[${results.join(",\n")}]\n`], "utf8");
   }
   return code;
+}
+
+/**
+ * The text of a file; nothing where it cannot be read, which does not keep others from being judged.
+ *
+ * @param {string} file
+ * @returns {Promise<string | undefined>}
+ */
+async function readOrComplain(file) {
+  try {
+    return (await readText(file)).text;
+  } catch (error) {
+    if (!(error instanceof Failure)) {
+      throw error;
+    }
+    complain(error.message, error.hint);
+    return undefined;
+  }
 }
 
 /**

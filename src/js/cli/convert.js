@@ -2,8 +2,8 @@
 import { compensate, parseProgram } from "../node.js";
 import { useToolPath } from "../tool_path.js";
 import { exit, misused } from "./failure.js";
-import { ofPaths } from "./flags.js";
-import { nameOf, readText } from "./input.js";
+import { ofPaths, ofPrograms } from "./flags.js";
+import { nameOf, readText, standard } from "./input.js";
 import { jsonPieces } from "./json.js";
 import { keepInputs, write } from "./output.js";
 import { Progress } from "./progress.js";
@@ -31,13 +31,20 @@ export async function convert(files, values) {
       file === undefined ? "the program is missing" : `${another}: one program at a time`;
     misused(what, "g41 convert FILE, or g41 convert - for standard input");
   }
-  const { output, json } = /** @type {{ output?: string, json?: true }} */ (values);
+  const { output: place, json } = /** @type {{ output?: string, json?: true }} */ (values);
+  const output = place === standard ? undefined : place;
   const keeps = values["keep-compensation"] === true;
-  const idle = keeps ? [...ofPaths, "json"].find((name) => values[name] !== undefined) : undefined;
-  if (idle) {
+  const given = (/** @type {readonly string[]} */ names) =>
+    names.find((name) => values[name] !== undefined);
+  const ofPath = keeps ? given([...ofPaths, "json"]) : undefined;
+  if (ofPath) {
     misused(
-      `--${idle} is for a path of the tool's centre, which --keep-compensation does not make`,
+      `--${ofPath} is for a path of the tool's centre, which --keep-compensation does not make`,
     );
+  }
+  const ofProgram = json ? given(ofPrograms) : undefined;
+  if (ofProgram) {
+    misused(`--${ofProgram} is for a program, which --json does not write`);
   }
   const table = /** @type {string | undefined} */ (values["tool-table"]);
   if (output !== undefined) {

@@ -103,7 +103,11 @@ const writing = {
     "native-splines": { help: "write splines as such where the controller knows them" },
     explain: { help: "write a comment at each move that was not programmed, telling why" },
     json: { help: "write moves, transitions and diagnostics as JSON instead of a program" },
-    output: { short: "o", value: "OUT", help: "write to this file; otherwise to standard output" },
+    output: {
+      short: "o",
+      value: "OUT",
+      help: "write to this file; otherwise, and for -, to standard output",
+    },
   },
 };
 
@@ -170,6 +174,11 @@ export const commands = {
 /** Names of the options that only a path of the tool's centre follows. */
 export const ofPaths = Object.keys({ ...tools.flags, ...compensation.flags }).filter(
   (name) => name !== "profile" && name !== "tolerance",
+);
+
+/** Names of the options that only what is written as a program follows. */
+export const ofPrograms = Object.keys(writing.flags).filter(
+  (name) => name !== "json" && name !== "output",
 );
 
 /** The options that do not need a command. */

@@ -4,10 +4,16 @@ import { buffer } from "node:stream/consumers";
 
 import { fileTrouble } from "./failure.js";
 
-/** What stands for standard input. */
-export const standardInput = "-";
+/** What stands for standard input, and as a place to write to for standard output. */
+export const standard = "-";
 
 /** @typedef {"utf8" | "latin1"} Encoding */
+
+/** Encodings by the mark that a text in them begins with. */
+const wides = new Map([
+  ["fffe", "utf-16le"],
+  ["feff", "utf-16be"],
+]);
 
 /**
  * A text, and how it is encoded. Old programs are often not in UTF-8: those are taken for Latin-1, in
@@ -18,10 +24,11 @@ export const standardInput = "-";
  */
 export async function readText(path) {
   try {
-    const bytes = await (path === standardInput ? buffer(process.stdin) : readFile(path));
+    const bytes = await (path === standard ? buffer(process.stdin) : readFile(path));
     // Editors of Windows call this Unicode.
-    if (bytes[0] === 0xff && bytes[1] === 0xfe) {
-      return { text: new TextDecoder("utf-16le").decode(bytes), encoding: "utf8" };
+    const wide = wides.get(bytes.toString("hex", 0, 2));
+    if (wide) {
+      return { text: new TextDecoder(wide).decode(bytes), encoding: "utf8" };
     }
     try {
       return { text: new TextDecoder("utf-8", { fatal: true }).decode(bytes), encoding: "utf8" };
@@ -42,5 +49,5 @@ export async function readText(path) {
  * @param {string} path
  */
 export function nameOf(path) {
-  return path === standardInput ? "<stdin>" : path;
+  return path === standard ? "<stdin>" : path;
 }

@@ -4,9 +4,12 @@ import { realpath, rename, rm, stat } from "node:fs/promises";
 import { basename, dirname, join } from "node:path";
 
 import { fileTrouble, misused } from "./failure.js";
-import { standardInput } from "./input.js";
+import { standard } from "./input.js";
 
 /** @typedef {import("node:fs").Stats} Stats */
+
+/** What ends a command from outside: Ctrl+C, kill, and a terminal that is closed. */
+const signals = /** @type {const} */ (["SIGINT", "SIGTERM", "SIGHUP"]);
 
 /**
  * Ends the command if writing a file would overwrite what is read.
@@ -16,7 +19,7 @@ import { standardInput } from "./input.js";
  */
 export async function keepInputs(output, inputs) {
   const there = await stats(output);
-  for (const input of inputs.filter((path) => path !== standardInput)) {
+  for (const input of inputs.filter((path) => path !== standard)) {
     const read = await stats(input);
     if (there && read && there.isFile() && there.ino === read.ino && there.dev === read.dev) {
       misused(`${output} is what is read: it is not overwritten`, "write to another file");
@@ -32,14 +35,12 @@ export async function keepInputs(output, inputs) {
  * @param {import("./input.js").Encoding} encoding
  */
 export async function write(path, pieces, encoding) {
-  if (path === undefined) {
-    await pour(process.stdout, pieces, encoding);
-    return;
-  }
   try {
-    await writeFile(path, pieces, encoding);
+    await (path === undefined
+      ? pour(process.stdout, pieces, encoding)
+      : writeFile(path, pieces, encoding));
   } catch (error) {
-    fileTrouble(path, error);
+    fileTrouble(path ?? "<stdout>", error);
   }
 }
 
@@ -58,10 +59,13 @@ async function writeFile(path, pieces, encoding) {
   // A link stays a link to what it leads to.
   const place = there ? await realpath(path) : path;
   const draft = join(dirname(place), `.${basename(place)}.${process.pid}.tmp`);
-  const interrupted = () => {
-    rm(draft, { force: true }).finally(() => process.exit(130));
+  const interrupted = (/** @type {string} */ _, /** @type {number} */ signal) => {
+    // The exit code that shells give to what a signal has ended.
+    rm(draft, { force: true }).finally(() => process.exit(128 + signal));
   };
-  process.once("SIGINT", interrupted).once("SIGTERM", interrupted);
+  for (const signal of signals) {
+    process.once(signal, interrupted);
+  }
   try {
     const mode = there ? there.mode & 0o777 : 0o666;
     await pour(
@@ -75,7 +79,9 @@ async function writeFile(path, pieces, encoding) {
     await rm(draft, { force: true });
     throw error;
   } finally {
-    process.off("SIGINT", interrupted).off("SIGTERM", interrupted);
+    for (const signal of signals) {
+      process.off(signal, interrupted);
+    }
   }
 }
 
@@ -98,10 +104,15 @@ async function pour(stream, pieces, encoding, ends = false) {
   if (!trouble.error) {
     /** @type {Promise<void>} */
     const arrived = new Promise((resolve) => {
+      // What failed is told here before there is an event of it.
+      const told = (/** @type {Error | null | undefined} */ failed) => {
+        trouble.error ??= failed ?? undefined;
+        resolve();
+      };
       if (ends) {
-        stream.end(resolve);
+        stream.end(told);
       } else {
-        stream.write("", () => resolve());
+        stream.write("", told);
       }
     });
     await Promise.race([arrived, trouble.came]);

@@ -4,7 +4,7 @@ import { csvPieces } from "../motion.js";
 import { compensate, parseProgram } from "../node.js";
 import { blocksOf, costsOf } from "./cycle_time.js";
 import { exit, misused } from "./failure.js";
-import { nameOf, readText } from "./input.js";
+import { nameOf, readText, standard } from "./input.js";
 import { limitsOf } from "./limits.js";
 import { keepInputs, write } from "./output.js";
 import { Progress } from "./progress.js";
@@ -35,6 +35,9 @@ export async function plan(files, values) {
   }
   const { csv, json } = /** @type {{ csv?: string, json?: true }} */ (values);
   const table = /** @type {string | undefined} */ (values["tool-table"]);
+  if (csv === standard) {
+    misused("--csv needs a file: what is told of the motion goes to standard output");
+  }
   if (csv !== undefined) {
     await keepInputs(csv, table === undefined ? [file] : [file, table]);
   }
