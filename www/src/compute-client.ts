@@ -25,7 +25,7 @@ const PATIENCE = 1500;
 
 /** Starts the worker; `ask` may be called at any rate. */
 export class ComputeClient {
-  #worker: Worker;
+  #worker: Worker | undefined;
   #underWay: Question | undefined;
   /** When that was asked. */
   #since = 0;
@@ -49,7 +49,7 @@ export class ComputeClient {
     // A loop without end that is being typed must not hold up the text that ends it. Of a file the work
     // shows how far it is, and a button to stop it.
     const isStuck = performance.now() - this.#since > PATIENCE && !this.#underWay?.file;
-    if (this.#underWay && isStuck) this.#restart();
+    if (this.#underWay && isStuck) this.#stop();
     if (this.#underWay) return;
     this.#tell.busy(true);
     this.#sendWaiting();
@@ -57,14 +57,16 @@ export class ComputeClient {
 
   /** Stops what is under way, at once, and forgets what waits. */
   cancel(): void {
-    this.#restart();
-    this.#forget();
+    this.#stop();
+    this.#waiting = undefined;
+    this.#answered = undefined;
     this.#tell.busy(false);
   }
 
-  #restart(): void {
-    this.#worker.terminate();
-    this.#worker = this.#start();
+  /** Gives the worker up; the next question starts another. */
+  #stop(): void {
+    this.#worker?.terminate();
+    this.#worker = undefined;
     this.#underWay = undefined;
   }
 
@@ -72,17 +74,17 @@ export class ComputeClient {
     const worker = new Worker(new URL("./compute.worker.ts", import.meta.url), { type: "module" });
     worker.addEventListener("message", ({ data }: MessageEvent<Reply>) => this.#take(data));
     worker.addEventListener("error", (event) => {
-      // Where memory has ended, another worker has some.
-      this.cancel();
-      this.#tell.failure(event.message || "the worker could not be started");
+      // Of one that could not be loaded no other is started until something is asked, else there would
+      // be no end to it. Where memory has ended, another has some for what waits.
+      const { message = "" } = event;
+      const isAsked = this.#underWay !== undefined;
+      this.#stop();
+      this.#answered = undefined;
+      if (this.#waiting) this.#sendWaiting();
+      else if (isAsked) this.#tell.failure(message || "the worker could not be started");
+      if (!this.#underWay) this.#tell.busy(false);
     });
     return worker;
-  }
-
-  #forget(): void {
-    this.#underWay = undefined;
-    this.#waiting = undefined;
-    this.#answered = undefined;
   }
 
   #take(reply: Reply): void {
@@ -110,6 +112,7 @@ export class ComputeClient {
     this.#since = performance.now();
     this.#waiting = undefined;
     const request: Request = { id: this.#id, text, file, settings };
+    this.#worker ??= this.#start();
     this.#worker.postMessage(request);
   }
 }

@@ -120,7 +120,12 @@ export class Files {
   }
 
   async #openTable(file: File): Promise<void> {
-    const { tools, diagnostics } = readToolTable(await file.text());
+    const text = await file.text().catch(() => undefined);
+    if (text === undefined) {
+      this.#say(`${file.name} could not be read.`);
+      return;
+    }
+    const { tools, diagnostics } = readToolTable(text);
     const [first] = diagnostics;
     const count = Object.keys(tools).length;
     if (count > 0) setSettings(this.#store, { tools });

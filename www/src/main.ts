@@ -60,16 +60,19 @@ const store = new Store({
 });
 
 const readout = find("readout");
-const drawing = new PictureClient(
-  (first) => {
+const drawing = new PictureClient({
+  drawn: (first) => {
     if (first) store.set({ work: undefined });
     stage.refresh();
   },
-  (line) => {
+  found: (line) => {
     if (store.state.result?.long && line !== store.state.hover) store.set({ hover: line });
   },
-  (traced) => stage.showTraced(traced),
-);
+  traced: (line) => stage.showTraced(line),
+  failed: (message) => {
+    store.set({ work: undefined, notice: `The program could not be drawn: ${message}.` });
+  },
+});
 const stage = new Stage(find("stage"), store, drawing, (view, pointer) => {
   const digits = Math.min(3, Math.max(0, Math.ceil(Math.log10(view.scale))));
   const at = pointer && toWorld(view, pointer);
@@ -123,7 +126,10 @@ const drag = new Drag(store, liveClient);
 const client = new ComputeClient({
   result: take,
   failure: (message) => {
-    if (!files.fail(message)) store.set({ failure: message, work: undefined });
+    if (files.fail(message)) return;
+    // What there is of a program before must not be taken, and saved, for that of this one.
+    drawing.clear();
+    store.set({ failure: message, result: undefined, work: undefined, live: undefined });
   },
   busy: (busy) => find("stage").setAttribute("aria-busy", String(busy)),
   progress: (step, part) => {

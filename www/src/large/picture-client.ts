@@ -16,6 +16,17 @@ export interface TracedLine {
   readonly points: Float64Array;
 }
 
+/** What is told of the answers. */
+export interface PictureListeners {
+  /** There is another picture, the first of its drawing or not. */
+  drawn(first: boolean): void;
+  /** What was sought is on a line of the text, or nowhere. */
+  found(line: number | undefined): void;
+  traced(line: TracedLine): void;
+  /** There will be no picture. */
+  failed(message: string): void;
+}
+
 /** A drawing of a very long program; `draw` may be called at any rate. */
 export class PictureClient {
   #worker: Worker | undefined;
@@ -25,18 +36,10 @@ export class PictureClient {
   #underWay = false;
   #seeking = false;
   #sought: { at: Point; within: number } | undefined;
-  #onDrawn: (first: boolean) => void;
-  #onFound: (line: number | undefined) => void;
-  #onTraced: (traced: TracedLine) => void;
+  #tell: PictureListeners;
 
-  constructor(
-    onDrawn: (first: boolean) => void,
-    onFound: (line: number | undefined) => void,
-    onTraced: (traced: TracedLine) => void,
-  ) {
-    this.#onDrawn = onDrawn;
-    this.#onFound = onFound;
-    this.#onTraced = onTraced;
+  constructor(listeners: PictureListeners) {
+    this.#tell = listeners;
   }
 
   /** What was drawn last, for those who measure. */
@@ -102,6 +105,11 @@ export class PictureClient {
   #start(): Worker {
     const worker = new Worker(new URL("./picture.worker.ts", import.meta.url), { type: "module" });
     worker.addEventListener("message", ({ data }: MessageEvent<Answer>) => this.#take(data));
+    worker.addEventListener("error", ({ message }) => {
+      // The drawing went with it.
+      this.clear();
+      this.#tell.failed(message || "the worker could not be started");
+    });
     return worker;
   }
 
@@ -129,16 +137,16 @@ export class PictureClient {
         this.#drawn = answer;
         this.#underWay = false;
         this.#next();
-        this.#onDrawn(first);
+        this.#tell.drawn(first);
         break;
       }
       case "found":
         this.#seeking = false;
         this.#seekNext();
-        this.#onFound(answer.line);
+        this.#tell.found(answer.line);
         break;
       case "traced":
-        this.#onTraced(answer);
+        this.#tell.traced(answer);
     }
   }
 }

@@ -11,7 +11,7 @@ type Now = Pick<LivePicture, "contour" | "ref" | "at" | "leads">;
 
 /** Edits of one contour at a time; `step` may be called at any rate. */
 export class LiveClient {
-  #worker: Worker;
+  #worker: Worker | undefined;
   #onPicture: (picture: LivePicture, milliseconds: number) => void;
   #picture: LivePicture | undefined;
   #held: { contour: ProgrammedContour; settings: Settings } | undefined;
@@ -22,10 +22,28 @@ export class LiveClient {
 
   constructor(onPicture: (picture: LivePicture, milliseconds: number) => void) {
     this.#onPicture = onPicture;
-    this.#worker = new Worker(new URL("./live.worker.ts", import.meta.url), { type: "module" });
-    this.#worker.addEventListener("message", ({ data }: MessageEvent<Changed | Lost>) =>
+    // Before it is needed, since a drag does not wait.
+    this.#worker = this.#start();
+  }
+
+  #start(): Worker {
+    const worker = new Worker(new URL("./live.worker.ts", import.meta.url), { type: "module" });
+    worker.addEventListener("message", ({ data }: MessageEvent<Changed | Lost>) =>
       this.#take(data),
     );
+    worker.addEventListener("error", () => {
+      worker.terminate();
+      this.#worker = undefined;
+      this.#lose();
+    });
+    return worker;
+  }
+
+  /** The text goes on alone, and with the next drag the contour is taken hold of afresh. */
+  #lose(): void {
+    this.#held = undefined;
+    this.#waiting = undefined;
+    this.#underWay = undefined;
   }
 
   /** Takes hold of a contour, unless it is the one that is held. */
@@ -64,6 +82,7 @@ export class LiveClient {
 
   #send(message: Grab | Step): void {
     this.#underWay = this.#now;
+    this.#worker ??= this.#start();
     this.#worker.postMessage(message);
   }
 
@@ -71,10 +90,7 @@ export class LiveClient {
     // Of a contour that is held no more.
     if (changed.id !== this.#id || !this.#underWay) return;
     if ("lost" in changed) {
-      // The text goes on alone, and with the next drag the contour is taken hold of afresh.
-      this.#held = undefined;
-      this.#waiting = undefined;
-      this.#underWay = undefined;
+      this.#lose();
       return;
     }
     const first = this.#picture === undefined;

@@ -63,8 +63,12 @@ export class MotionClient {
     const worker = new Worker(new URL("./motion.worker.ts", import.meta.url), { type: "module" });
     worker.addEventListener("message", ({ data }: MessageEvent<MotionReply>) => this.#take(data));
     worker.addEventListener("error", (event) => {
-      // Where memory has ended, another worker has some.
+      // Where memory has ended, another worker has some for what waits.
       this.#stop();
+      if (this.#waiting) {
+        this.#send();
+        return;
+      }
       this.#tell.failed(event.message || "the worker could not be started");
       this.#tell.busy(false);
     });

@@ -12,7 +12,9 @@ const PAUSE = 500;
 export function description(region: HTMLElement, store: Store): void {
   let timer = 0;
   store.subscribe((state, before) => {
-    if (state.result === before.result && state.selection === before.selection) return;
+    const { result, selection, failure } = before;
+    const isSame = state.result === result && state.failure === failure;
+    if (isSame && state.selection === selection) return;
     clearTimeout(timer);
     timer = window.setTimeout(() => {
       region.textContent = describe(store.state);
