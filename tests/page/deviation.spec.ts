@@ -32,6 +32,26 @@ test("exact keeps its tolerance, type points are off by what the core reports", 
   expect(g41.errors).toEqual([]);
 });
 
+test("a spline is measured from its first type point to its last", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  await g41.program.fill(
+    "G0 X-20 Y0\nG1 G41 D1 X0 Y0 F300\nG05 X20 Y4\nX40 Y0\nX60 Y4\nX80 Y0\nG1 G40 X100\nM30\n",
+  );
+  await g41.settled();
+  await page.getByRole("button", { name: "Deviation plot" }).click();
+  await expect(page.locator(".deviation-plot")).toHaveCount(2);
+  for (const plot of await page.locator(".deviation-plot svg").all()) {
+    const [curve, whole] = await Promise.all(
+      [".curve", ".band"].map((name) =>
+        plot.locator(name).evaluate((shape) => (shape as SVGGraphicsElement).getBBox().width),
+      ),
+    );
+    // The ends are cut off beside the leads.
+    expect((curve ?? 0) / (whole ?? 0)).toBeGreaterThan(0.9);
+  }
+});
+
 test("lines and arcs are not off at all, however their corners are joined", async ({ page }) => {
   const g41 = new G41Page(page);
   await g41.open("star");

@@ -27,7 +27,7 @@ export interface Records {
 
 /** A stretch of a contour: a line, an arc or a cubic, with its place along all contours. */
 interface Piece {
-  /** The line of the text it comes from. */
+  /** The line of the text that its segment begins with. */
   readonly line: number;
   /** Arc length before it, and its own [mm]. */
   readonly before: number;
@@ -63,7 +63,7 @@ const SAMPLES = 12_000;
 /**
  * The pieces of contours, from the moves of a tool without a radius along them.
  *
- * @param lineOf the line of the text that a contour's segment comes from
+ * @param lineOf the line of the text that a contour's segment begins with
  */
 export function measureOf(
   { numbers, stride }: Records,
@@ -110,15 +110,17 @@ export function deviationOf(
     places.push(Number.NaN, Number.NaN);
   };
   let worst = 0;
-  let [line, place] = [Number.NaN, 0];
+  let own: Piece[] = [];
+  let place = 0;
   for (let i = 0; i < numbers.length; i += stride) {
     const record = numbers.subarray(i, i + stride);
     if (record[ROLE] !== 0 || record[KIND] === RAPID) continue;
-    const own = byLine.get(record[BLOCK] as number);
-    if (!own) continue;
+    const line = record[BLOCK] as number;
+    const found = startedBy(byLine, line);
+    if (!found) continue;
     const curve = curveOf(record);
-    if (record[BLOCK] !== line) {
-      line = record[BLOCK] as number;
+    if (found !== own) {
+      own = found;
       place = nearestPiece(own, curve.at(0));
       part();
     }
@@ -154,6 +156,16 @@ export function deviationOf(
     places: points as Float64Array,
     worst,
   };
+}
+
+/** What the last line up to one has begun: the type points of a spline have lines of their own. */
+function startedBy(byLine: Map<number, Piece[]>, line: number): Piece[] | undefined {
+  let at = line;
+  while (at > 0 && !byLine.has(at)) at -= 1;
+  const found = byLine.get(at);
+  // The next line is looked for from here.
+  if (found) byLine.set(line, found);
+  return found;
 }
 
 type Curve = Pick<Piece, "at" | "rates">;
