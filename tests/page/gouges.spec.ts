@@ -103,7 +103,7 @@ test("stopped, there is no path, and the reason is said", async ({ page }) => {
   await field.fill("9");
   await field.press("Enter");
   await expect(g41.output).not.toHaveValue(/^G1 /m);
-  await expect(page.locator(".diagnostic-error").last()).toContainText("would gouge");
+  await expect(page.locator(".diagnostic-error", { hasText: "would gouge" })).toHaveCount(1);
   expect(g41.errors).toEqual([]);
 });
 

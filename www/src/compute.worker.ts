@@ -14,7 +14,7 @@ import { modeAt } from "./contour-writer";
 import { boxOfStrokes, type Moves, movesOf, seen, strokesOf } from "./large/strokes";
 import { decoded, longText } from "./long-text";
 import { compensationOptions, parseOptions, radiusOfTool, type Settings } from "./parameters";
-import type { Lines, Reply, Request, Result } from "./result";
+import { type Lines, lineOf, type Reply, type Request, type Result } from "./result";
 import { boxOf } from "./view";
 
 /** How far the polylines on the screen may be from their curves [mm]. */
@@ -70,7 +70,7 @@ function compute({ id, text, settings }: Request): Reply {
   try {
     const { target, tolerance } = settings;
     const written = path.emit({ target, tolerance });
-    const diagnostics = [...path.diagnostics, ...written.diagnostics];
+    const diagnostics = gravestFirst([...path.diagnostics, ...written.diagnostics]);
     const { axes, rapids } = movesOf(path);
     const programmed = lines(program.polylines(DRAWING_TOLERANCE), axes);
     const drawn = lines(path.polylines(DRAWING_TOLERANCE), axes);
@@ -128,7 +128,7 @@ async function computeLong({ id, settings }: Request, file: File): Promise<Reply
     tell(3, 0);
     const moves = movesOf(path);
     const strokes = strokesOf(program, path, moves);
-    const diagnostics = [...path.diagnostics, ...written.diagnostics];
+    const diagnostics = gravestFirst([...path.diagnostics, ...written.diagnostics]);
     const result: Result = {
       ...NOTHING_LISTED,
       id,
@@ -140,7 +140,7 @@ async function computeLong({ id, settings }: Request, file: File): Promise<Reply
       tools: program.tools,
       long: { file, text: longText(bytes, encoding), code, moves: path.count },
       stride: RECORD_STRIDE,
-      diagnostics: gravest(diagnostics),
+      diagnostics: diagnostics.slice(0, MOST_DIAGNOSTICS),
       counts: countsOf(diagnostics),
       milliseconds: performance.now() - began,
     };
@@ -212,12 +212,13 @@ function countsOf(diagnostics: readonly Diagnostic[]): Result["counts"] {
   return counts;
 }
 
-/** As many diagnostics as are listed, errors before all others. */
-function gravest(all: readonly Diagnostic[]): Diagnostic[] {
-  if (all.length <= MOST_DIAGNOSTICS) return [...all];
-  const errors = all.filter(({ severity }) => severity === "error");
-  const others = all.filter(({ severity }) => severity !== "error");
-  return [...errors, ...others].slice(0, MOST_DIAGNOSTICS);
+const GRAVITY = { error: 0, warning: 1, info: 2 } as const;
+
+/** Sorts errors before all others, and those alike by their line. */
+function gravestFirst(all: Diagnostic[]): Diagnostic[] {
+  const before = (a: Diagnostic, b: Diagnostic) =>
+    GRAVITY[a.severity] - GRAVITY[b.severity] || (lineOf(a) ?? 0) - (lineOf(b) ?? 0);
+  return all.sort(before);
 }
 
 function lines(

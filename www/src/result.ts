@@ -64,6 +64,7 @@ export interface Result {
   readonly records: Float64Array;
   readonly stride: number;
   readonly transitions: readonly Transition[];
+  /** The gravest first. */
   readonly diagnostics: readonly Diagnostic[];
   /** How many diagnostics there are, also those that are not listed. */
   readonly counts: Readonly<Record<Diagnostic["severity"], number>>;
