@@ -14,18 +14,14 @@ export function bad(where, must) {
 }
 
 /**
- * Whether a value is an object with keys of its own, and no array of any type.
+ * Whether a value is an object with keys of its own, and no array of any type, map or set, of which
+ * none of the keys would be seen.
  *
  * @param {unknown} value
  * @returns {value is Record<string, unknown>}
  */
 export function isPlain(value) {
-  return (
-    typeof value === "object" &&
-    value !== null &&
-    !Array.isArray(value) &&
-    !ArrayBuffer.isView(value)
-  );
+  return Object.prototype.toString.call(value) === "[object Object]";
 }
 
 /**
@@ -118,16 +114,6 @@ export function oneOf(value, names, where) {
     return /** @type {Name} */ (value);
   }
   bad(where, `be ${names.map((name) => `"${name}"`).join(" or ")}`);
-}
-
-/**
- * @param {Where} where
- * @param {string} what
- * @returns {never}
- */
-export function notSupported(where, what) {
-  const path = where();
-  throw coded("not-supported", `${path}: ${what} is not in this version of g41`, { path });
 }
 
 /**

@@ -24,7 +24,7 @@ export class LiveContour {
     call(() => {});
     const { settings, chord } = liveOptions(options);
     const records = packContours(contour);
-    this.#options = /** @type {Record<string, unknown>} */ (options);
+    this.#options = { .../** @type {object} */ (options) };
     this.#handle = new Handle(
       (glue) => new glue.LiveHandle(records, new glue.Settings(...settings), chord),
     );
@@ -69,8 +69,8 @@ export class LiveContour {
     this.#handle.use((raw) => raw.setSegment(index, record));
   }
 
-  /** @param {unknown} given */
-  set(given) {
+  /** @param {unknown} [given] */
+  set(given = {}) {
     const options = isPlain(given) ? { ...this.#options, ...given } : given;
     const { settings, chord } = liveOptions(options);
     this.#handle.use((raw, glue) => raw.set(new glue.Settings(...settings), chord));

@@ -1,5 +1,5 @@
 // Checks the tools that a program calls, and packs them into numbers.
-import { bad, finite, object, optional } from "./check.js";
+import { bad, finite, isPlain, object, optional } from "./check.js";
 
 /** @typedef {import("./check.js").Where} Where */
 
@@ -15,7 +15,7 @@ const here = () => "options.tools";
  * @param {unknown} given
  */
 export function packTools(given) {
-  if (typeof given !== "object" || given === null) {
+  if (!isPlain(given)) {
     bad(here, "be an object of tools by their number");
   }
   return Float64Array.from(

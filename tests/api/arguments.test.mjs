@@ -148,6 +148,10 @@ test("options for programs", () => {
   for (const [options, path] of [
     [{ side: "left" }, "options.side"],
     [{ tools: 3 }, "options.tools"],
+    // None of whose keys would be seen.
+    [{ tools: new Map([[1, { radius: 3 }]]) }, "options.tools"],
+    [{ tools: [{ radius: 3 }] }, "options.tools"],
+    [new Map([["radius", 3]]), "options"],
     [{ tools: { 1: 3 } }, "options.tools[1]"],
     [{ tools: { one: { radius: 3 } } }, "options.tools[one]"],
     [{ tools: { 1: { radius: Number.NaN } } }, "options.tools[1].radius"],

@@ -88,6 +88,18 @@ test("options change, and those that are not given stay", () => {
     live.path().records(),
     compensate(part(), { side: "right", radius: 4 }).records(),
   );
+  const { points } = live.update();
+  const before = points.slice();
+  live.set();
+  assert.deepEqual(live.update().points, before, "nothing given is nothing changed");
+});
+
+test("options are taken as they are when they are given", () => {
+  const given = { ...options };
+  const live = new LiveContour(part(), given);
+  given.radius = 4;
+  live.set({ tolerance: 0.001 });
+  assert.deepEqual(live.path().records(), compensate(part(), options).records());
 });
 
 test("an update tells the range of vertices that have changed", () => {
