@@ -234,21 +234,20 @@ test("the tool plays, pauses, and is taken along by mouse and keys", async ({ pa
 
 test("time passes as fast as it is asked to", async ({ page }) => {
   await opened(page, "star");
-  const reached = async (speed: string, wait: number) => {
-    await page.getByLabel("Speed").selectOption(speed);
+  for (const speed of [1, 0.1]) {
+    await page.getByLabel("Speed").selectOption(String(speed));
     await page.getByRole("slider", { name: "Time" }).fill("0");
+    const began = Date.now();
     await page.getByRole("button", { name: "Play" }).click();
-    await page.waitForTimeout(wait);
+    await page.waitForTimeout(1000);
     await page.getByRole("button", { name: "Pause" }).click();
+    // A busy machine takes its time to click.
+    const passed = (Date.now() - began) / 1000;
     const text = await page.locator(".motion-time").textContent();
-    return Number.parseFloat(text ?? "");
-  };
-  const true_ = await reached("1", 1000);
-  expect(true_).toBeGreaterThan(0.8);
-  expect(true_).toBeLessThan(2);
-  const tenth = await reached("0.1", 1000);
-  expect(tenth).toBeGreaterThan(0.07);
-  expect(tenth).toBeLessThan(0.25);
+    const reached = Number.parseFloat(text ?? "") / speed;
+    expect(reached).toBeGreaterThan(0.7);
+    expect(reached).toBeLessThan(passed + 0.1);
+  }
   await page.getByLabel("Speed").selectOption("100");
   await page.getByRole("slider", { name: "Time" }).fill("0");
   await page.getByRole("button", { name: "Play" }).click();
