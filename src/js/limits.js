@@ -3,7 +3,7 @@ import { bad, finite, object, oneOf, optional, positive, truth } from "./check.j
 
 export const modes = /** @type {const} */ (["fast", "textbook"]);
 export const curvatureSteps = /** @type {const} */ (["round", "slow", "stop"]);
-export const cornerCurves = /** @type {const} */ (["eased", "ph13", "ph11", "ph9", "ph5"]);
+const cornerCurves = /** @type {const} */ (["eased", "ph13", "ph11", "ph9", "ph5"]);
 
 /** The limits that are numbers, and what is meant where one is left out; without that it is required. */
 export const numbers = /** @type {const} */ ({

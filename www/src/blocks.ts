@@ -72,7 +72,7 @@ export function readBlock(text: string, line: number): Block {
 }
 
 /** The value of the last word with this letter. */
-export function wordValue(block: Block, letter: string): number | undefined {
+function wordValue(block: Block, letter: string): number | undefined {
   return block.words.findLast((word) => word.letter === letter)?.value;
 }
 

@@ -99,16 +99,6 @@ export function nearestOnLine(p: Point, a: Point, b: Point): { point: Point; t: 
   return { point: between(a, b, t), t };
 }
 
-/** The point of a cubic Bézier curve at `t`. */
-export function cubicPoint(p0: Point, p1: Point, p2: Point, p3: Point, t: number): Point {
-  const u = 1 - t;
-  const [a, b, c, d] = [u * u * u, 3 * u * u * t, 3 * u * t * t, t * t * t];
-  return [
-    a * p0[0] + b * p1[0] + c * p2[0] + d * p3[0],
-    a * p0[1] + b * p1[1] + c * p2[1] + d * p3[1],
-  ];
-}
-
 /** A coordinate rounded to a multiple of `step`, without a trail of binary digits. */
 export function roundTo(value: number, step: number): number {
   return Number((Math.round(value / step) * step).toFixed(6));

@@ -89,7 +89,7 @@ function take(result: Result, strokes: readonly Strokes[]): void {
   if (result.long?.file !== store.document.file) return;
   if (result.long) {
     // Its work ends with the first picture of it.
-    drawing.load(strokes, result.box ?? { min: [0, 0], max: [1, 1] });
+    drawing.load(strokes);
     store.set({ result, failure: undefined, corner: undefined, live: undefined, hover: undefined });
     return;
   }

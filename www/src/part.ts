@@ -251,16 +251,6 @@ export function lineOfPoint(part: Part, ref: PointRef): number | undefined {
   return segment.kind === "spline" ? segment.points[ref.index]?.line : segment.end.line;
 }
 
-/** The area inside a closed contour's corners [mm²], positive counter-clockwise. */
-export function signedArea(points: readonly Point[]): number {
-  let sum = 0;
-  points.forEach((p, i) => {
-    const q = points[(i + 1) % points.length] as Point;
-    sum += p[0] * q[1] - q[0] * p[1];
-  });
-  return sum / 2;
-}
-
 /** The nearest handle to a point, within a distance [mm]. */
 export function nearestHandle(
   list: readonly Handle[],

@@ -104,7 +104,7 @@ function table(head, rows) {
  *
  * @param {number} time [s]
  */
-export function clock(time) {
+function clock(time) {
   if (time < 59.995) {
     return `${fixed(time, 2)} s`;
   }

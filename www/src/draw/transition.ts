@@ -71,7 +71,7 @@ function nameOf(x: number, y: number): string {
 }
 
 /** The tangents T1 and T2 at a corner. */
-export function tangents(transition: Transition, result: Result): [Point, Point] | undefined {
+function tangents(transition: Transition, result: Result): [Point, Point] | undefined {
   const { P, N1, N2 } = transition.construction;
   if (!P || !N1 || !N2 || distance(P, N1) === 0) return undefined;
   // n = σ perp(T), hence T = −σ perp(n).

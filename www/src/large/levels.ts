@@ -26,9 +26,12 @@ export interface Level {
   readonly boxes: Float64Array;
 }
 
-/** All levels of polylines within a box, the coarsest first. */
-export function levelsOf(points: Float64Array, box: Box): Level[] {
-  const levels = [level(points, 0)];
+/** All levels of polylines, the coarsest first. */
+export function levelsOf(points: Float64Array): Level[] {
+  const all = level(points, 0);
+  const levels = [all];
+  // Their own box, outside of which there are no cells: rapid moves go far beyond all others.
+  const box = boxOfBoxes(all.boxes);
   const extent = Math.max(box.max[0] - box.min[0], box.max[1] - box.min[1]);
   if (points.length < 2 * FEW || !(extent > 0)) return levels;
   let finer = points;
@@ -78,6 +81,17 @@ function level(points: Float64Array, step: number): Level {
     boxes.set([x0, y0, x1, y1], at);
   }
   return { step, points, boxes };
+}
+
+function boxOfBoxes(boxes: Float64Array): Box {
+  let [x0, y0, x1, y1] = [Infinity, Infinity, -Infinity, -Infinity];
+  for (let at = 0; at < boxes.length; at += 4) {
+    x0 = Math.min(x0, boxes[at] as number);
+    y0 = Math.min(y0, boxes[at + 1] as number);
+    x1 = Math.max(x1, boxes[at + 2] as number);
+    y1 = Math.max(y1, boxes[at + 3] as number);
+  }
+  return { min: [x0, y0], max: [x1, y1] };
 }
 
 function thinned(points: Float64Array, step: number, { min: [x0, y0] }: Box): Float64Array {

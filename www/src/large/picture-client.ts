@@ -2,7 +2,7 @@
 // scaled until the next one is there, so that moving and zooming are as fluent as with a small part.
 
 import type { Point } from "../geometry";
-import type { Box, Size, View } from "../view";
+import type { Size, View } from "../view";
 import type { Answer, Colors, Draw, Drawn, Task } from "./protocol";
 import type { Strokes } from "./strokes";
 
@@ -48,12 +48,12 @@ export class PictureClient {
   }
 
   /** Takes a drawing in, whose arrays are gone after it. */
-  load(strokes: readonly Strokes[], box: Box): void {
+  load(strokes: readonly Strokes[]): void {
     this.#worker ??= this.#start();
     this.#id += 1;
     this.#forget();
     const transfer = strokes.flatMap(({ points, lines }) => [points.buffer, lines.buffer]);
-    this.#worker.postMessage({ kind: "load", id: this.#id, strokes, box } satisfies Task, {
+    this.#worker.postMessage({ kind: "load", id: this.#id, strokes } satisfies Task, {
       transfer: transfer as ArrayBuffer[],
     });
   }

@@ -50,10 +50,10 @@ function send(answer: Answer, transfer: Transferable[] = []): void {
   self.postMessage(answer, { transfer });
 }
 
-function load({ strokes, box }: Load): void {
+function load({ strokes }: Load): void {
   // What was drawn before must not take memory while this is made.
   layers = [];
-  layers = strokes.map((each) => ({ strokes: each, levels: levelsOf(each.points, box) }));
+  layers = strokes.map((each) => ({ strokes: each, levels: levelsOf(each.points) }));
 }
 
 function draw({ id, view, size, margin, ratio, colors }: Draw): void {
@@ -61,7 +61,7 @@ function draw({ id, view, size, margin, ratio, colors }: Draw): void {
   const [width, height] = [size.width + 2 * margin, size.height + 2 * margin];
   const canvas = new OffscreenCanvas(Math.round(width * ratio), Math.round(height * ratio));
   const context = canvas.getContext("2d");
-  if (!context) return;
+  if (!context) throw new Error("there is no canvas to draw on");
   context.setTransform(ratio, 0, 0, ratio, margin * ratio, margin * ratio);
   context.lineJoin = "round";
   context.lineCap = "round";

@@ -1,7 +1,7 @@
 // What goes to the worker that draws very long programs, and what comes back.
 
 import type { Point } from "../geometry";
-import type { Box, Size, View } from "../view";
+import type { Size, View } from "../view";
 import type { StrokeKind, Strokes } from "./strokes";
 
 /** Colours of the kinds of lines. */
@@ -12,7 +12,6 @@ export interface Load {
   readonly kind: "load";
   readonly id: number;
   readonly strokes: readonly Strokes[];
-  readonly box: Box;
 }
 
 /** Draws a view. */

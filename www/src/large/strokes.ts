@@ -19,7 +19,7 @@ export interface Strokes {
 export type Axes = readonly [right: 0 | 1 | 2, up: 0 | 1 | 2];
 
 /** The axes of the planes, as records number them. */
-export const PLANE_AXES: readonly Axes[] = [
+const PLANE_AXES: readonly Axes[] = [
   [0, 1],
   [2, 0],
   [1, 2],
@@ -199,11 +199,8 @@ export function boxOfStrokes(all: readonly Strokes[]) {
   let [x0, y0, x1, y1] = [Infinity, Infinity, -Infinity, -Infinity];
   for (const { kind, points } of all) {
     // Rapid moves go to where tools are changed; they count where there is nothing else.
-    if (
-      kind === "rapid" &&
-      all.some((other) => other !== undefined && other.kind !== "rapid" && other.points.length > 0)
-    )
-      continue;
+    const isOther = (other: Strokes) => other.kind !== "rapid" && other.points.length > 0;
+    if (kind === "rapid" && all.some(isOther)) continue;
     for (let i = 0; i < points.length; i += 2) {
       const [x, y] = [points[i] as number, points[i + 1] as number];
       if (x < x0) x0 = x;

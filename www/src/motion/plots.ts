@@ -107,11 +107,6 @@ export class Plots {
     new ResizeObserver(() => this.#resize()).observe(this.root);
   }
 
-  /** Whether all of the motion is shown. */
-  get isWhole(): boolean {
-    return !this.#data || this.#window[1] - this.#window[0] >= this.#data.time.length;
-  }
-
   /** Shows another motion, or the same against something else. */
   show(data: MotionData, across: Across): void {
     const isOther = data.time.length !== this.#data?.time.length || across !== this.#across;
@@ -403,9 +398,11 @@ function largest(least: number, ...channels: Float64Array[]): number {
 
 /** What a plot says to those who do not see it. */
 function summary({ title, unit, lines, limits }: Plot, data: MotionData): string {
-  const last = lines.at(-1);
   let most = 0;
-  if (last) for (let i = 0; i < data.time.length; i += 1) most = Math.max(most, last.of(data, i));
+  // Dashed is what is allowed.
+  for (const { of } of lines.filter(({ dash }) => !dash)) {
+    for (let i = 0; i < data.time.length; i += 1) most = Math.max(most, Math.abs(of(data, i)));
+  }
   return `${title}: at most ${rounded(most)} ${unit}, limit ${rounded(limits(data)[0] ?? 0)} ${unit}`;
 }
 
