@@ -95,7 +95,7 @@ function failureOf(error) {
   const { code, path, message, stack } = /** @type {Error & { code?: string, path?: string }} */ (
     error
   );
-  if (code === "bad-argument" || code === "not-supported") {
+  if (code === "bad-argument") {
     // The package names its own options.
     const flag = (/** @type {string} */ name) =>
       `--${name.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`)}`;

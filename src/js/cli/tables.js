@@ -60,9 +60,9 @@ export function* planText(name, { duration, tools, blocks, costs, violations }, 
       ["with", "time", "change"],
       costs.map(({ name: what, duration: other }) => {
         const change = other - duration;
-        const sign = change < 0 ? "-" : "+";
-        const percent = duration > 0 ? (100 * Math.abs(change)) / duration : 0;
-        return [what, clock(other), `${sign}${fixed(percent, 1)} %`];
+        const percent = fixed(duration > 0 ? (100 * Math.abs(change)) / duration : 0, 1);
+        const sign = percent === "0.0" ? "" : change < 0 ? "-" : "+";
+        return [what, clock(other), `${sign}${percent} %`];
       }),
     );
   }

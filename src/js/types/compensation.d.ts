@@ -100,7 +100,7 @@ export interface ProgramOptions extends CompensationOptions {
  * The path of the tool centre. Nothing reachable gives an empty path and diagnostics, never an
  * exception.
  *
- * @throws {G41Error} `"bad-argument"`, `"not-supported"` (an option value of a later version)
+ * @throws {G41Error} `"bad-argument"`
  */
 export function compensate(program: Program, options?: ProgramOptions): ToolPath;
 export function compensate(
@@ -116,7 +116,7 @@ export function compensate(
  * end of the block that declares it with `using`. The program must not be disposed of meanwhile.
  */
 export class ProgramCompensation {
-  /** @throws {G41Error} `"bad-argument"`, `"not-supported"`, `"disposed"` */
+  /** @throws {G41Error} `"bad-argument"`, `"disposed"` */
   constructor(program: Program, options?: ProgramOptions);
   /** How much of the program was compensated, from 0 to 1. */
   readonly progress: number;

@@ -142,7 +142,7 @@ export interface FlattenedContours extends Polylines {
  * and for finding the segment under the pointer. Leads are not part of them.
  *
  * @param tolerance largest distance of a chord from its curve [mm]; default 0.001
- * @throws {G41Error} `"bad-argument"`, `"not-supported"` (a segment of a later version)
+ * @throws {G41Error} `"bad-argument"`
  */
 export function flatten(
   contour: Contour | readonly Contour[] | ContourRecords,

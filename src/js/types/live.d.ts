@@ -45,7 +45,7 @@ export interface LiveUpdate {
  */
 export class LiveContour {
   /**
-   * @throws {G41Error} `"bad-argument"` (also for several contours), `"not-supported"`
+   * @throws {G41Error} `"bad-argument"` (also for several contours)
    */
   constructor(contour: Contour | ContourRecords, options?: LiveOptions);
   /**

@@ -19,7 +19,7 @@ export interface G41Error extends Error {
   /**
    * - `"not-initialised"`: `await init()` was not called yet
    * - `"bad-argument"`: an argument has the wrong shape, is not finite, or is unknown; see `path`
-   * - `"not-supported"`: an option that this version does not have, or what "g41/contour" leaves out
+   * - `"not-supported"`: what "g41/contour" leaves out, or `Path2D` where there is none
    * - `"several-pieces"`: `polyline` of a path that is not in one piece; use `polylines`
    * - `"disposed"`: the handle was given back by `using` or `[Symbol.dispose]()`
    * - `"trapped"`: an earlier call ended in an internal error; `await init()` starts afresh, and
