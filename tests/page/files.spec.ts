@@ -194,7 +194,7 @@ test("file, rules and target are kept over a reload", async ({ page }) => {
   await page.waitForTimeout(600);
   await page.reload();
   await expect(g41.program).toHaveValue(SQUARE);
-  await expect(page.getByRole("button", { name: "Save square.marlin.nc" })).toBeVisible();
+  await expect(page.getByRole("button", { name: "Save square.marlin.gcode" })).toBeVisible();
   await expect(page.getByLabel("Read as")).toHaveValue("fanuc");
 });
 

@@ -38,6 +38,20 @@ test("arrow keys move the selected point by 1, 10 and 0.1 mm", async ({ page }) 
   await expect(g41.program).toHaveValue(/^N40 X1 Y42$/m);
 });
 
+test("a point that is moved out of the picture stays in sight", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  await g41.canvas.focus();
+  for (let i = 0; i < 3; i += 1) await page.keyboard.press("Tab");
+  for (let i = 0; i < 12; i += 1) await page.keyboard.press("Shift+ArrowUp");
+  await g41.settled();
+  const y = Number(await page.getByLabel("Y in mm").or(page.getByLabel("Y")).first().inputValue());
+  const x = Number(await page.getByLabel("X in mm").or(page.getByLabel("X")).first().inputValue());
+  const box = await g41.canvas.boundingBox();
+  const [, at] = (await g41.locator())([x, y]);
+  expect(at).toBeGreaterThan(box?.y ?? 0);
+});
+
 test("the selected point and the state are told in words", async ({ page }) => {
   const g41 = new G41Page(page);
   await g41.open();

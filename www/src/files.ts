@@ -1,6 +1,6 @@
 // Files: opened by a button or dropped anywhere, and saved; tool tables are taken for the tools.
 
-import { readToolTable } from "g41";
+import { readToolTable, type Target } from "g41";
 import { openText, setSettings } from "./actions";
 import type { ComputeClient } from "./compute-client";
 import { decoded } from "./long-text";
@@ -12,7 +12,7 @@ import { type Document, NO_PART, type Store } from "./state";
 const MOST_BYTES = 256 * 1024 * 1024;
 
 /** What the dialog of files offers. */
-const ENDINGS = ".nc,.ngc,.tap,.gcode,.cnc,.txt,.mpf,.min,.eia,.iso,.ncc,.tbl";
+const ENDINGS = ".nc,.ngc,.tap,.gcode,.cnc,.txt,.mpf,.spf,.min,.eia,.iso,.ncc,.tbl";
 
 /** Opens files into the document. */
 export class Files {
@@ -169,7 +169,7 @@ export function connectDrops(files: Files): void {
 }
 
 /** The name of a file without its ending. */
-export function stem(name: string): string {
+function stem(name: string): string {
   return name.replace(/\.[^.]*$/, "") || "part";
 }
 
@@ -183,7 +183,15 @@ export function save(name: string, text: string | Uint8Array<ArrayBuffer>): void
   setTimeout(() => URL.revokeObjectURL(address), 1000);
 }
 
+/** What the names of programs end in, where controls look for no others. */
+const SAVED: Partial<Record<Target, string>> = {
+  heidenhain: "h",
+  linuxcnc: "ngc",
+  marlin: "gcode",
+};
+
 /** The name under which the compensated program is saved. */
 export function savedName({ name, settings }: Document): string {
-  return `${stem(name)}.${settings.target}.nc`;
+  const { target } = settings;
+  return `${stem(name)}.${target}.${SAVED[target] ?? "nc"}`;
 }

@@ -28,8 +28,10 @@ export function connectKeys(stage: Stage, store: Store): void {
       const step = event.shiftKey ? 10 : event.altKey ? 0.1 : 1;
       const { selection } = store.state;
       const at = selection && locate(store.document.part, selection);
-      if (selection && at) move(store, selection, along(at, arrow, step), `nudge ${nudge}`);
-      else stage.pan(-40 * arrow[0], 40 * arrow[1]);
+      if (selection && at) {
+        move(store, selection, along(at, arrow, step), `nudge ${nudge}`);
+        stage.reveal(locate(store.document.part, selection) ?? at);
+      } else stage.pan(-40 * arrow[0], 40 * arrow[1]);
     } else if (event.key === "Delete" || event.key === "Backspace") {
       event.preventDefault();
       deleteSelected(store);

@@ -28,6 +28,8 @@ const TOOL_REACH = 70;
 const CORNER_REACH = 44;
 /** How near the pointer must be to a move for its line to be marked [px]. */
 const LINE_REACH = 9;
+/** How near to the edge a point is hard to see [px]. */
+const EDGE = 16;
 /** How near the pointer must be to the mark of a gouge to show it [px]. */
 const FINDING_REACH = 14;
 /** Room around the part [px]. */
@@ -146,10 +148,12 @@ export class Stage {
     this.#setView(zoomed(this.#view, at, factor));
   }
 
-  /** Brings a point into sight. */
+  /** Brings a point into sight that is at the edge of the picture or beyond it. */
   reveal(point: Point): void {
     const [x, y] = toScreen(this.#view, point);
     const { width, height } = this.#size;
+    const isSeen = (at: number, size: number) => at >= EDGE && at <= size - EDGE;
+    if (isSeen(x, width) && isSeen(y, height)) return;
     const [mx, my] = [width * 0.12, height * 0.12];
     const dx = x < mx ? mx - x : x > width - mx ? width - mx - x : 0;
     const dy = y < my ? my - y : y > height - my ? height - my - y : 0;

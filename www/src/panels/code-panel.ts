@@ -2,7 +2,7 @@
 
 import type { Diagnostic } from "g41";
 import { setText } from "../actions";
-import { save, savedName, stem } from "../files";
+import { save, savedName } from "../files";
 import { lineOfPoint } from "../part";
 import { keyOf, lineOf, type Result } from "../result";
 import type { Stage } from "../stage";
@@ -191,7 +191,7 @@ function actions(store: Store, shown: () => ProgramView["text"]): void {
   download.addEventListener("click", () => {
     const compensated = !find("panel-output").hidden;
     const { document } = store;
-    save(compensated ? savedName(document) : `${stem(document.name)}.nc`, shown());
+    save(compensated ? savedName(document) : document.name || "part.nc", shown());
   });
   find("code-actions").append(copy, download);
 }

@@ -28,6 +28,7 @@ export function toolbar(bar: HTMLElement, stage: Stage, store: Store): void {
     if (!gesture) steps += 1;
     const to = axis === 0 ? ([value, at[1]] as const) : ([at[0], value] as const);
     move(store, selection, to, `${gesture ?? "enter"} ${steps}`);
+    stage.reveal(to);
   };
   const x = new NumberField({ label: "X", step: 1, onValue: enter(0) });
   const y = new NumberField({ label: "Y", step: 1, onValue: enter(1) });
