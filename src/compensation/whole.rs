@@ -161,6 +161,7 @@ impl Trace {
         let mut cuts = Vec::new();
         for (range, &first) in self.ranges.iter().zip(&self.first_moves) {
             let mut going: Option<Cut> = None;
+            let mut hint = None;
             let mut from = first;
             for unit in range.from..range.to {
                 let to = first + self.units[unit].moves_end;
@@ -171,7 +172,9 @@ impl Trace {
                     continue;
                 }
                 for one in moves {
-                    match (watch.deepest(&one.curve, unit), &mut going) {
+                    let deepest = watch.deepest(&one.curve, unit, hint);
+                    hint = deepest.map(|cut| cut.into);
+                    match (deepest, &mut going) {
                         (Some(cut), Some(known)) if cut.depth > known.depth => *known = cut,
                         (Some(_), Some(_)) => {}
                         (Some(cut), None) => going = Some(cut),
@@ -222,27 +225,43 @@ impl Watch<'_> {
         segments[before.unwrap_or(0) as usize].attributes.origin
     }
 
-    /// Where a move along a unit cuts deepest, if it is too near anywhere.
-    fn deepest(&self, one: &MoveCurve, unit: usize) -> Option<Cut> {
+    /// Where a move along a unit cuts deepest, if it is too near anywhere; `hint` may be the unit that
+    /// the move before cut deepest.
+    fn deepest(&self, one: &MoveCurve, unit: usize, hint: Option<usize>) -> Option<Cut> {
         let [tame_from, tame_to] = self.tree.tame_around(unit, self.range(unit), usize::MAX);
         let bounds = one.hull_bounds();
-        let mut deepest: Option<Cut> = None;
-        self.tree.near_box(&bounds, self.least, &mut |other| {
-            if (tame_from..tame_to).contains(&other) {
-                return;
-            }
-            let Some(curve) = self.curve(other) else { return };
+        let middle = one.point(0.5);
+        // No point of it is farther from there.
+        let half = bounds.span_squared(&Bounds { min: middle, max: middle }).sqrt();
+        let (mut deepest, mut last) = (None, None);
+        let mut look = |other: usize, deepest: &mut Option<Cut>| {
+            let curve = self.curve(other).filter(|_| !(tame_from..tame_to).contains(&other));
+            // Of laps that lie on each other one is enough.
+            let Some(curve) = curve.filter(|curve| last != Some(*curve)) else { return true };
+            last = Some(curve);
             let known = deepest.map_or(self.radius - self.least, |cut| cut.depth);
-            // Not even their boxes come as near.
-            if self.radius - bounds.gap_squared(&curve.hull_bounds()).sqrt() <= known {
-                return;
+            let reach = self.radius - known;
+            // Not even their boxes come as near, or not all that is about its middle.
+            if bounds.gap_squared(&curve.hull_bounds()) >= reach * reach
+                || curve.nearest(middle).distance - half >= reach
+            {
+                return true;
             }
             let (distance, at) = approach(one, &curve);
             let depth = self.radius - distance;
             if depth > known {
-                deepest = Some(Cut { depth, at, from: unit, into: other });
+                *deepest = Some(Cut { depth, at, from: unit, into: other });
             }
-        });
+            // Nothing is deeper than what the path crosses.
+            distance > 0.0
+        };
+        if let Some(hint) = hint {
+            for other in hint.saturating_sub(1)..self.units.len().min(hint + 2) {
+                look(other, &mut deepest);
+            }
+        }
+        let reach = deepest.map_or(self.least, |cut| self.radius - cut.depth);
+        self.tree.near(&bounds, reach, &mut |other| look(other, &mut deepest));
         deepest
     }
 

@@ -109,3 +109,46 @@ fn the_report_and_the_judge_agree() {
         }
     }
 }
+
+#[test]
+fn laps_over_each_other_are_told_and_avoided_as_the_judge_has_it() {
+    // 25 laps of 80 lines, each of another radius than the last: paths cross and lie close.
+    let at = |k: u32| {
+        let angle = TAU * f64::from(k) / 80.0;
+        DVec2::from_angle(angle) * (50.0 + 8.0 * (0.37 * angle).sin())
+    };
+    let contour = Sketch::open(at(0), (1..2_000).map(|k| line(at(k)))).contour();
+    for side in [Side::Left, Side::Right] {
+        let mill = tool(1.5, side);
+        let options = Options { gouge: GougePolicy::Avoid, ..Options::default() };
+        let avoided = compensate_all(&[(&contour, mill)], &options);
+        assert!(!avoided.moves.is_empty(), "some of it is reached, {side:?}");
+        let found = check(&contour, &avoided, 1.5, options.tolerance);
+        assert!(found.is_empty(), "nothing is cut, {side:?}: {found:?}");
+        let told = compensate(&contour, mill, &Options::default());
+        let deepest =
+            |gouges: &[g41::contour::Gouge]| gouges.iter().map(|g| g.depth).fold(0.0, f64::max);
+        let judged = check(&contour, &told, 1.5, options.tolerance);
+        near(deepest(&told.gouges), deepest(&judged), 1e-6, "the deepest gouge");
+    }
+}
+
+#[test]
+fn a_contour_gone_round_five_times_has_a_path_that_is_five_times_as_long() {
+    let at = |k: u32| DVec2::from_angle(TAU * f64::from(k) / 500.0) * 50.0;
+    let contour = Sketch::open(at(0), (1..=2_500).map(|k| line(at(k)))).contour();
+    for gouge in [GougePolicy::Report, GougePolicy::Avoid] {
+        let options = Options { gouge, ..Options::default() };
+        let path = compensate_all(&[(&contour, tool(1.5, Side::Left))], &options);
+        assert!(path.gouges.is_empty(), "the tool fits: {:?}", path.gouges);
+        assert_eq!(path.moves.len(), 2_500, "one move for each line");
+        let length: f64 = path.moves.iter().map(|one| one.curve.length()).sum();
+        // Sides of a polygon about a circle that is smaller by the tool. Both ends are square, and so
+        // beyond the corners of the other laps: less than the tolerance too near, and cut off where
+        // gouges are avoided.
+        let half = (TAU / 1_000.0).tan();
+        let side = 2.0 * (50.0 * (TAU / 1_000.0).cos() - 1.5) * half;
+        let square = if gouge == GougePolicy::Report { 2.0 * 1.5 * half } else { 0.0 };
+        near(length, 2_500.0 * side + square, 1e-6, "length");
+    }
+}

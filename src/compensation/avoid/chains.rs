@@ -8,6 +8,7 @@ use glam::DVec2;
 
 use super::Whole;
 use super::cuts::{Stretch, following};
+use super::index::sort_places;
 use super::sieve::Clearance;
 use super::units::Workpiece;
 use crate::geometry::sort_long;
@@ -146,7 +147,7 @@ fn links(
             starting.push((place, k));
         }
     }
-    sort_long(&mut starting, |a, b| a < b);
+    sort_places(&mut starting);
     for k in 0..stretches.len() {
         if let Some(place) = stretches[k].end.filter(|_| next[k] == NONE) {
             let from = starting.partition_point(|&(at, _)| at < place);

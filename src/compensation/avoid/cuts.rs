@@ -15,6 +15,13 @@ use crate::geometry::sort_long;
 /// on both.
 pub(super) const SAME_PLACE: f64 = 1e-7;
 
+/// A direction of length one, along which few places of programs lie beside each other: many do along
+/// the axes.
+const ASKEW: DVec2 = DVec2::new(0.540_302_305_868_139_8, 0.841_470_984_807_896_5);
+
+/// What is so near as to have the same neighbours, as a part of that distance.
+const NO_WAY: f64 = 1e-3;
+
 /// Places examined on a stretch between two cuts beside its middle, to both sides of it from there.
 /// The first ones are left out where it is shorter than the radius, and all on a short one that is not
 /// cut at all, since its neighbours are examined too.
@@ -108,7 +115,7 @@ impl Survey<'_> {
     /// The stretches of the raw path that the tool can take, in order.
     pub(super) fn clear_stretches(&self, clearance: &mut Clearance) -> Vec<Stretch> {
         let (mut cuts, crossings) = self.cuts(clearance);
-        let places = merge_places(&mut cuts, crossings);
+        let places = merge_places(&cuts, crossings);
         let mut stretches = self.stretches(&mut cuts, &places);
         // A crossing where two pieces follow each other may be found on one of the two only.
         for k in 0..stretches.len() {
@@ -289,28 +296,40 @@ fn sort_by_piece(cuts: &mut [Cut]) {
 }
 
 /// Gives crossings at the same place one number; returns the number of each crossing.
-fn merge_places(cuts: &mut [Cut], crossings: u32) -> Vec<u32> {
+fn merge_places(cuts: &[Cut], crossings: u32) -> Vec<u32> {
     let mut number: Vec<u32> = (0..crossings).collect();
-    sort_long(cuts, |a, b| a.point.x < b.point.x);
-    for i in 0..cuts.len() {
-        let Some(here) = cuts[i].crossing else { continue };
-        for other in &cuts[i + 1..] {
-            if other.point.x - cuts[i].point.x > SAME_PLACE {
+    let mut places: Vec<(f64, u32, DVec2)> = Vec::with_capacity(number.len());
+    for cut in cuts {
+        // Each is on two pieces.
+        if let Some(crossing) = cut.crossing.filter(|&crossing| places.len() == crossing as usize) {
+            places.push((cut.point.dot(ASKEW), crossing, cut.point));
+        }
+    }
+    sort_long(&mut places, |a, b| a.0 < b.0);
+    for i in 0..places.len() {
+        let (along, here, place) = places[i];
+        for &(other_along, there, other) in &places[i + 1..] {
+            if other_along - along > SAME_PLACE {
                 break;
             }
-            if let Some(there) = other.crossing
-                && other.point.distance(cuts[i].point) <= SAME_PLACE
-            {
-                let (a, b) = (root(&number, here), root(&number, there));
+            let off = other.distance(place);
+            if off <= SAME_PLACE {
+                let (a, b) = (root(&mut number, here), root(&mut number, there));
                 number[a.max(b) as usize] = a.min(b);
+            }
+            // What else is near to this one is near to that too.
+            if off <= NO_WAY * SAME_PLACE {
+                break;
             }
         }
     }
-    (0..crossings).map(|k| root(&number, k)).collect()
+    (0..crossings).map(|k| root(&mut number, k)).collect()
 }
 
-fn root(number: &[u32], mut k: u32) -> u32 {
+fn root(number: &mut [u32], mut k: u32) -> u32 {
     while number[k as usize] != k {
+        // Halves the way for those who ask later.
+        number[k as usize] = number[number[k as usize] as usize];
         k = number[k as usize];
     }
     k

@@ -6,8 +6,8 @@
 //! and a little less than the tool apart all of a strand may count as clear.
 
 use super::cuts::{Stretch, following};
+use super::index::sort_places;
 use super::units::Workpiece;
-use crate::geometry::sort_long;
 
 /// Removes dead ends of up to `longest` [mm], and longer ones where `reaches` says of no stretch
 /// that the tool fits there exactly.
@@ -33,9 +33,8 @@ pub(super) fn remove_dead_ends(
     if starts.is_empty() {
         return;
     }
-    for list in [&mut starts, &mut ends] {
-        sort_long(list, |a, b| a < b);
-    }
+    sort_places(&mut starts);
+    sort_places(&mut ends);
     let mut dead = vec![false; count];
     for k in 0..count {
         let stretch = &stretches[k];

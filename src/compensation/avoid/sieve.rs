@@ -97,10 +97,11 @@ impl<'a> Clearance<'a> {
         if self.beside.0 != piece {
             let mut found = std::mem::take(&mut self.beside.1);
             found.clear();
-            self.tree.near_box(&curve.hull_bounds(), self.least.max(0.0), &mut |unit| {
-                if found.len() <= MOST_BESIDE && (unit < tame[0] || unit >= tame[1]) {
+            self.tree.near(&curve.hull_bounds(), self.least, &mut |unit| {
+                if unit < tame[0] || unit >= tame[1] {
                     found.push(unit);
                 }
+                found.len() <= MOST_BESIDE
             });
             self.beside = (piece, found);
         }
@@ -135,7 +136,7 @@ impl<'a> Clearance<'a> {
 
     fn is_clear_of_all(&mut self, point: DVec2, [from, to]: [usize; 2]) -> bool {
         let mut nearer = None;
-        let clear = self.tree.near(point, self.least, &mut |unit| {
+        let clear = self.tree.near(&Bounds { min: point, max: point }, self.least, &mut |unit| {
             let near = (unit < from || unit >= to)
                 && self.work.curve(unit).is_some_and(|curve| self.is_nearer(&curve, point));
             if near {
@@ -174,9 +175,10 @@ impl<'a> Clearance<'a> {
             return true;
         }
         let middle = curve.point(0.5);
+        let place = Bounds { min: middle, max: middle };
         let half = hull.iter().map(|p| p.distance(middle)).fold(0.0, f64::max);
         let mut by = None;
-        self.tree.near(middle, self.least - half - rough, &mut |unit| {
+        self.tree.near(&place, self.least - half - rough, &mut |unit| {
             if self.covers(unit, &hull, rough) {
                 by = Some(unit);
             }

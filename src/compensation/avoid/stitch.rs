@@ -4,8 +4,9 @@ use glam::DVec2;
 
 use super::chains::Chain;
 use super::cuts::{SAME_PLACE, Stretch};
+use super::index::sort_places;
 use super::sieve::Clearance;
-use super::units::{Kind, OutsideCorner, Workpiece, corner_of};
+use super::units::{Kind, OutsideCorner, Workpiece, corner_of, index};
 use crate::compensation::Options;
 use crate::compensation::corner::classify_sharply;
 use crate::compensation::path::{PathBuilder, between};
@@ -14,7 +15,7 @@ use crate::compensation::transition::CornerFrame;
 use crate::contour::{
     Attributes, Corner, CornerKind, Lead, Move, MoveCurve, Role, Tool, Transition, TransitionKind,
 };
-use crate::geometry::{Curve, Line, sort_long};
+use crate::geometry::{Curve, Line};
 
 /// Places examined on each straight move round a corner.
 const EXAMINED: u32 = 16;
@@ -42,13 +43,13 @@ impl Stitcher<'_> {
         // Loops of a contour come before what its leads belong to: from where the lead-out goes, the
         // program goes on.
         let is_led = |k: usize| !chains[k].closed || self.has_end(&chains[k], starts[k]);
-        let rank = |&k: &usize| (starts[k], is_led(k), k);
-        let mut order: Vec<usize> = (0..chains.len()).collect();
-        sort_long(&mut order, |a, b| rank(a) < rank(b));
+        let rank = |k: usize| index(2 * starts[k] + usize::from(is_led(k)));
+        let mut order: Vec<(u32, usize)> = (0..chains.len()).map(|k| (rank(k), k)).collect();
+        sort_places(&mut order);
         let looped: Vec<bool> = (0..chains.len()).map(|k| !is_led(k)).collect();
         let all_loops = |job| (0..chains.len()).all(|k| starts[k] != job || looped[k]);
         let mut led = vec![false; jobs.len()];
-        for (place, &k) in order.iter().enumerate() {
+        for (place, &(_, k)) in order.iter().enumerate() {
             let (chain, job) = (&chains[k], starts[k]);
             let leads_in = !led[job] && (!looped[k] || all_loops(job));
             if let Some(lead) = jobs[job].contour.lead_in().filter(|_| leads_in) {
@@ -57,7 +58,7 @@ impl Stitcher<'_> {
             }
             led[job] |= leads_in;
             self.add(chain);
-            let is_last = !order[place + 1..].iter().any(|&later| ends[later] == ends[k]);
+            let is_last = !order[place + 1..].iter().any(|&(_, later)| ends[later] == ends[k]);
             if let Some(lead) = jobs[ends[k]].contour.lead_out().filter(|_| is_last) {
                 let from = self.point(chain.stretches[chain.stretches.len() - 1], true);
                 self.lead(lead, from, lead.point, Role::LeadOut);

@@ -13,8 +13,7 @@
 //! both sides. The same holds where the tool runs on along the end tangent of an obtuse corner, up
 //! to `r tan(φ/2) ≤ r sin φ` beyond it.
 
-use glam::DVec2;
-
+use super::index::BoxTree;
 use super::octants::Octants;
 use crate::geometry::Bounds;
 
@@ -72,6 +71,8 @@ pub(in crate::compensation) struct Range {
 pub(in crate::compensation) struct OrderTree {
     /// The units, then groups of four of them, and so on to the root.
     levels: Vec<Vec<Node>>,
+    /// The boxes around their parts of the contour.
+    contours: BoxTree,
 }
 
 /// What came out about the units.
@@ -136,6 +137,10 @@ pub(in crate::compensation) struct Limits {
 
 impl OrderTree {
     pub(in crate::compensation) fn new(units: Vec<Node>) -> Self {
+        let mut boxes = Vec::with_capacity(units.len());
+        for unit in &units {
+            boxes.push(unit.contour);
+        }
         let mut levels = vec![units];
         while let Some(below) = levels.last()
             && below.len() > 1
@@ -143,7 +148,7 @@ impl OrderTree {
             let level = below.chunks(FAN).map(around).collect();
             levels.push(level);
         }
-        Self { levels }
+        Self { levels, contours: BoxTree::new(boxes) }
     }
 
     pub(in crate::compensation) fn unit(&self, unit: usize) -> &Node {
@@ -155,69 +160,27 @@ impl OrderTree {
         let marks =
             Marks { levels: self.levels.iter().map(|level| vec![0; level.len()]).collect() };
         let mut join = Join { tree: self, ranges, limits, marks };
-        join.within(self.levels.len() - 1, 0);
+        if self.contours.is_sorted() {
+            join.one_by_one();
+        } else {
+            join.within(self.levels.len() - 1, 0);
+        }
         join.marks
     }
 
-    /// Calls `visit` with every unit whose contour's box is nearer to `point` than `distance` [mm],
+    /// Calls `visit` with every unit whose contour's box is nearer to `bounds` than `distance` [mm],
     /// until it returns false; returns whether it never did.
-    pub(super) fn near(
+    pub(in crate::compensation) fn near(
         &self,
-        point: DVec2,
+        bounds: &Bounds,
         distance: f64,
         visit: &mut dyn FnMut(usize) -> bool,
     ) -> bool {
-        let point = Bounds { min: point, max: point };
+        let is_far = |unit| self.unit(unit).contour.gap_squared(bounds) >= distance * distance;
         distance <= 0.0
-            || self.near_below(self.levels.len() - 1, 0, &point, distance * distance, visit)
-    }
-
-    /// Calls `visit` with every unit whose contour's box is nearer to `bounds` than `distance` [mm].
-    pub(in crate::compensation) fn near_box(
-        &self,
-        bounds: &Bounds,
-        distance: f64,
-        visit: &mut dyn FnMut(usize),
-    ) {
-        self.near_box_below(self.levels.len() - 1, 0, bounds, distance * distance, visit);
-    }
-
-    fn near_box_below(
-        &self,
-        level: usize,
-        index: usize,
-        bounds: &Bounds,
-        squared: f64,
-        visit: &mut dyn FnMut(usize),
-    ) {
-        if self.levels[level][index].contour.gap_squared(bounds) >= squared {
-            return;
-        }
-        if level == 0 {
-            return visit(index);
-        }
-        let end = self.levels[level - 1].len().min(FAN * (index + 1));
-        for child in FAN * index..end {
-            self.near_box_below(level - 1, child, bounds, squared, visit);
-        }
-    }
-
-    fn near_below(
-        &self,
-        level: usize,
-        index: usize,
-        point: &Bounds,
-        squared: f64,
-        visit: &mut dyn FnMut(usize) -> bool,
-    ) -> bool {
-        if self.levels[level][index].contour.gap_squared(point) >= squared {
-            return true;
-        }
-        if level == 0 {
-            return visit(index);
-        }
-        let end = self.levels[level - 1].len().min(FAN * (index + 1));
-        (FAN * index..end).all(|child| self.near_below(level - 1, child, point, squared, visit))
+            || self
+                .contours
+                .meeting(&bounds.inflated(distance), &mut |unit| is_far(unit) || visit(unit))
     }
 
     /// Where the contour heads along a stretch of units, if all of them fit.
@@ -284,6 +247,20 @@ struct Join<'a> {
 }
 
 impl Join<'_> {
+    /// Where the contour lies over itself time and again nearly all pairs would be looked at. So each
+    /// path is held against what is near it until something may be too near, and all of the contour
+    /// counts as wall.
+    fn one_by_one(&mut self) {
+        let tree = self.tree;
+        for (unit, node) in tree.levels[0].iter().enumerate() {
+            let is_clear = node.fits
+                && tree.near(&node.path, self.limits.reach, &mut |other| {
+                    other == unit || self.is_tame_between(unit.min(other), unit.max(other))
+                });
+            self.marks.levels[0][unit] = if is_clear { WALL } else { WALL | SUSPECT };
+        }
+    }
+
     /// Pairs below one node.
     fn within(&mut self, level: usize, index: usize) {
         let node = &self.tree.levels[level][index];

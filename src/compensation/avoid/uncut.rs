@@ -8,6 +8,7 @@
 use glam::DVec2;
 
 use super::cuts::{Stretch, following};
+use super::index::sort_places;
 use super::units::Workpiece;
 use crate::contour::{MoveCurve, Tool, Uncut};
 use crate::geometry::{Arc, cross, flatten_arc, flatten_cubic, sort_long};
@@ -41,7 +42,7 @@ pub(super) fn uncut(
     let gaps = gaps(work, stretches);
     let mut by_start: Vec<(u32, usize)> =
         gaps.iter().enumerate().map(|(k, gap)| (gap.places[0], k)).collect();
-    sort_long(&mut by_start, |a, b| a < b);
+    sort_places(&mut by_start);
     let mut used = vec![false; gaps.len()];
     let mut regions = Vec::new();
     for first in 0..gaps.len() {
