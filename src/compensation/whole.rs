@@ -204,12 +204,8 @@ impl Watch<'_> {
     /// The contour along a unit.
     fn curve(&self, unit: usize) -> Option<MoveCurve> {
         let Unit { job, segment, span, .. } = self.units[unit];
-        Some(match &self.jobs[job as usize].0.segments()[segment? as usize].curve {
-            Curve::Line(line) => MoveCurve::Line(*line),
-            Curve::Arc(arc) => MoveCurve::Arc(*arc),
-            Curve::Involute(involute) => MoveCurve::Involute(*involute),
-            Curve::Spline(spline) => MoveCurve::Cubic(spline.pieces()[span as usize]),
-        })
+        let segment = &self.jobs[job as usize].0.segments()[segment? as usize];
+        Some(MoveCurve::of(&segment.curve, span as usize))
     }
 
     /// The units of the contour that a unit is part of.

@@ -4,7 +4,9 @@ use glam::{DVec2, DVec3};
 
 use super::{Plane, Transition};
 use crate::diagnostic::{Diagnostic, Origin};
-use crate::geometry::{Arc, Bounds, Cubic, Involute, Line, Nearest, flatten_arc, flatten_cubic};
+use crate::geometry::{
+    Arc, Bounds, Cubic, Curve, Involute, Line, Nearest, flatten_arc, flatten_cubic,
+};
 
 /// The plane curve of a move.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -22,6 +24,18 @@ pub enum MoveCurve {
 }
 
 impl MoveCurve {
+    /// A span of a spline, or the whole of another curve.
+    #[inline(never)]
+    #[must_use]
+    pub(crate) fn of(curve: &Curve, span: usize) -> Self {
+        match curve {
+            Curve::Line(line) => Self::Line(*line),
+            Curve::Arc(arc) => Self::Arc(*arc),
+            Curve::Involute(involute) => Self::Involute(*involute),
+            Curve::Spline(spline) => Self::Cubic(spline.pieces()[span]),
+        }
+    }
+
     /// Where it begins [mm].
     #[must_use]
     pub fn start(&self) -> DVec2 {

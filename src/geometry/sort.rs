@@ -46,6 +46,12 @@ pub fn sort_long<T>(items: &mut [T], before: impl Fn(&T, &T) -> bool) {
     }
 }
 
+/// Sorts indices by what each has, and those that have the same by themselves.
+#[inline(never)]
+pub fn sort_pairs(list: &mut [(u32, usize)]) {
+    sort_long(list, |a, b| a < b);
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -5,10 +5,9 @@ use glam::DVec2;
 use super::bound::{is_exact, lower_bound};
 use super::exact::approach;
 use super::part::Part;
-use super::tree::Tree;
 use crate::contour::{Contour, Gouge, GougeKind, Move, MoveCurve, Role, ToolPath};
 use crate::diagnostic::Origin;
-use crate::geometry::{Bounds, Curve, least};
+use crate::geometry::{Bounds, BoxTree, Curve, least};
 
 /// Part of the tolerance to which distances are told from the limit: far above what rounding makes
 /// of them, far below what anyone can see. Involutes are judged as cubics that use it up.
@@ -66,7 +65,7 @@ pub fn check_all(
     for piece in &pieces {
         boxes.push(piece.bounds);
     }
-    let tree = Tree::new(boxes);
+    let tree = BoxTree::new(boxes);
     let mut judge = Judge {
         contours,
         pieces: &pieces,
@@ -120,18 +119,17 @@ fn pieces(contours: &[&Contour], near: f64) -> Vec<Piece> {
                 pieces.push(Piece { part: Part::new(curve), bounds, contour, segment });
             };
             match &programmed.curve {
-                Curve::Line(line) => add(MoveCurve::Line(*line)),
-                Curve::Arc(arc) => add(MoveCurve::Arc(*arc)),
-                Curve::Spline(spline) => {
-                    for &cubic in spline.pieces() {
-                        add(MoveCurve::Cubic(cubic));
-                    }
-                }
                 Curve::Involute(involute) => {
                     for cubic in involute.cubics(near) {
                         add(MoveCurve::Cubic(cubic));
                     }
                 }
+                Curve::Spline(spline) => {
+                    for &cubic in spline.pieces() {
+                        add(MoveCurve::Cubic(cubic));
+                    }
+                }
+                curve => add(MoveCurve::of(curve, 0)),
             }
         }
     }
@@ -178,13 +176,19 @@ struct Judge<'a> {
 
 impl Judge<'_> {
     /// Holds a curve of the path against all pieces.
-    fn judge(&mut self, curve: MoveCurve, tree: &Tree) {
+    fn judge(&mut self, curve: MoveCurve, tree: &BoxTree) {
         self.path = curve;
         let part = Part::new(curve);
         let enough = self.limit - SLACK * self.tolerance;
-        tree.near(&part, enough, &mut |index| {
-            let cell = Cell { part: self.pieces[index].part, piece: index, least: 0.0 };
-            self.sift(&part, cell, enough);
+        let bounds = curve.hull_bounds();
+        tree.meeting(&bounds.inflated(enough), &mut |index| {
+            let Piece { part: piece, bounds: around, .. } = &self.pieces[index];
+            if around.gap_squared(&bounds) < enough * enough
+                && around.distance(part.middle) < enough + part.reach
+            {
+                self.sift(&part, Cell { part: *piece, piece: index, least: 0.0 }, enough);
+            }
+            true
         });
         self.stretch(&part, 0, true);
         self.cells.clear();

@@ -7,11 +7,11 @@
 use glam::DVec2;
 
 use super::Whole;
-use super::cuts::{Stretch, following};
-use super::index::sort_places;
+use super::cuts::{Stretch, following, sort_along};
+use super::dead_ends::keep_alive;
 use super::sieve::Clearance;
 use super::units::Workpiece;
-use crate::geometry::sort_long;
+use crate::geometry::sort_pairs;
 
 /// Stretches that follow each other.
 #[derive(Debug, Clone, PartialEq)]
@@ -33,26 +33,31 @@ pub(super) fn chains(
     clearance: &mut Clearance,
 ) -> Vec<Chain> {
     let (next, has_previous) = links(work, stretches, gap, clearance);
-    let mut used = vec![false; stretches.len()];
-    let mut chains = Vec::new();
-    // Open chains from their starts; what is left are loops.
-    for open in [true, false] {
-        for first in 0..stretches.len() {
-            if used[first] || open && has_previous[first] {
-                continue;
-            }
-            let mut chain = Chain { stretches: Vec::new(), closed: false };
-            let mut last = first;
-            while last != NONE && !used[last] {
-                used[last] = true;
-                chain.stretches.push(last);
-                last = next[last];
-            }
-            chain.closed = last == first;
-            chains.push(chain);
+    // Open chains lead on from their starts; what is left are loops.
+    let mut is_looped = vec![true; stretches.len()];
+    for (first, &follows) in has_previous.iter().enumerate() {
+        let mut last = if follows { NONE } else { first };
+        while last != NONE && is_looped[last] {
+            is_looped[last] = false;
+            last = next[last];
         }
     }
-    sort_long(&mut chains, |a, b| a.stretches[0] < b.stretches[0]);
+    let mut used = vec![false; stretches.len()];
+    let mut chains = Vec::new();
+    for first in 0..stretches.len() {
+        if used[first] || has_previous[first] && !is_looped[first] {
+            continue;
+        }
+        let mut chain = Chain { stretches: Vec::new(), closed: false };
+        let mut last = first;
+        while last != NONE && !used[last] {
+            used[last] = true;
+            chain.stretches.push(last);
+            last = next[last];
+        }
+        chain.closed = last == first;
+        chains.push(chain);
+    }
     chains
 }
 
@@ -86,11 +91,7 @@ pub(super) fn remove_unreached(
     if dead.is_empty() {
         return false;
     }
-    let mut k = 0;
-    stretches.retain(|_| {
-        k += 1;
-        !dead[k - 1]
-    });
+    keep_alive(stretches, &dead);
     true
 }
 
@@ -104,27 +105,23 @@ pub(super) fn lost_ends(
     whole: &Whole,
 ) -> Vec<DVec2> {
     let list = &chain.stretches;
-    let (first, last) = (&stretches[list[0]], &stretches[list[list.len() - 1]]);
-    let starts = first.start.is_some() || first.from > 0.0 && is_closed(work, first, whole);
-    let ends = last.end.is_some() || last.to < 1.0 && is_closed(work, last, whole);
     let mut lost = Vec::new();
-    let mut add = |stretch: &Stretch, t: f64| {
+    for at_end in [false, true] {
+        let stretch = &stretches[list[if at_end { list.len() - 1 } else { 0 }]];
         let piece = &work.pieces[stretch.piece];
-        if (whole.counts)(work.segment(piece.unit as usize).attributes.origin) {
+        let (t, place) = stretch.at(at_end);
+        let is_closed = whole.closed || work.range_of(piece.unit as usize).closed;
+        let is_lost = place.is_some()
+            || stretch.is_cut(at_end) && is_closed
+            || stretch.is_loose(work, at_end);
+        if !chain.closed
+            && is_lost
+            && (whole.counts)(work.segment(piece.unit as usize).attributes.origin)
+        {
             lost.push(piece.curve.point(t));
         }
-    };
-    if !chain.closed && (starts || first.starts_from_nothing(work)) {
-        add(first, first.from);
-    }
-    if !chain.closed && (ends || last.ends_in_nothing(work)) {
-        add(last, last.to);
     }
     lost
-}
-
-fn is_closed(work: &Workpiece, stretch: &Stretch, whole: &Whole) -> bool {
-    whole.closed || work.range_of(work.pieces[stretch.piece].unit as usize).closed
 }
 
 /// For each stretch the one that follows it, and whether it follows one.
@@ -147,7 +144,7 @@ fn links(
             starting.push((place, k));
         }
     }
-    sort_places(&mut starting);
+    sort_pairs(&mut starting);
     for k in 0..stretches.len() {
         if let Some(place) = stretches[k].end.filter(|_| next[k] == NONE) {
             let from = starting.partition_point(|&(at, _)| at < place);
@@ -176,13 +173,13 @@ fn bridge(
     let point = |k: usize, t: f64| work.pieces[stretches[k].piece].curve.point(t);
     let mut starting: Vec<(f64, usize)> = Vec::new();
     for (k, stretch) in stretches.iter().enumerate() {
-        if !has_previous[k] && (stretch.from > 0.0 || stretch.starts_from_nothing(work)) {
+        if !has_previous[k] && (stretch.is_cut(false) || stretch.is_loose(work, false)) {
             starting.push((point(k, stretch.from).x, k));
         }
     }
-    sort_long(&mut starting, |a, b| a.0 < b.0);
+    sort_along(&mut starting);
     for (k, stretch) in stretches.iter().enumerate() {
-        if next[k] != NONE || !(stretch.to < 1.0 || stretch.ends_in_nothing(work)) {
+        if next[k] != NONE || !(stretch.is_cut(true) || stretch.is_loose(work, true)) {
             continue;
         }
         let end = point(k, stretch.to);

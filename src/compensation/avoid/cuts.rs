@@ -3,13 +3,12 @@
 use glam::DVec2;
 
 use super::fences::each_fence;
-use super::index::BoxTree;
 use super::sieve::{Clearance, Fate};
 use super::tree::{Marks, OrderTree};
-use super::units::Workpiece;
+use super::units::{Workpiece, index};
 use crate::compensation::meet::meet;
 use crate::contour::MoveCurve;
-use crate::geometry::sort_long;
+use crate::geometry::{BoxTree, sort_long};
 
 /// Crossings nearer than this are one [mm]: where two pieces follow each other a crossing is found
 /// on both.
@@ -295,27 +294,34 @@ fn sort_by_piece(cuts: &mut [Cut]) {
     sort_long(cuts, |a, b| (a.piece, a.t) < (b.piece, b.t));
 }
 
+/// Sorts indices by how far each is along something.
+#[inline(never)]
+pub(super) fn sort_along(list: &mut [(f64, usize)]) {
+    sort_long(list, |a, b| a.0 < b.0);
+}
+
 /// Gives crossings at the same place one number; returns the number of each crossing.
 fn merge_places(cuts: &[Cut], crossings: u32) -> Vec<u32> {
-    let mut number: Vec<u32> = (0..crossings).collect();
-    let mut places: Vec<(f64, u32, DVec2)> = Vec::with_capacity(number.len());
+    let mut number: Vec<usize> = (0..crossings as usize).collect();
+    let mut places = Vec::with_capacity(number.len());
+    let mut order = Vec::with_capacity(number.len());
     for cut in cuts {
         // Each is on two pieces.
-        if let Some(crossing) = cut.crossing.filter(|&crossing| places.len() == crossing as usize) {
-            places.push((cut.point.dot(ASKEW), crossing, cut.point));
+        if cut.crossing.is_some_and(|crossing| places.len() == crossing as usize) {
+            order.push((cut.point.dot(ASKEW), places.len()));
+            places.push(cut.point);
         }
     }
-    sort_long(&mut places, |a, b| a.0 < b.0);
-    for i in 0..places.len() {
-        let (along, here, place) = places[i];
-        for &(other_along, there, other) in &places[i + 1..] {
+    sort_along(&mut order);
+    for (i, &(along, here)) in order.iter().enumerate() {
+        for &(other_along, there) in &order[i + 1..] {
             if other_along - along > SAME_PLACE {
                 break;
             }
-            let off = other.distance(place);
+            let off = places[there].distance(places[here]);
             if off <= SAME_PLACE {
                 let (a, b) = (root(&mut number, here), root(&mut number, there));
-                number[a.max(b) as usize] = a.min(b);
+                number[a.max(b)] = a.min(b);
             }
             // What else is near to this one is near to that too.
             if off <= NO_WAY * SAME_PLACE {
@@ -323,14 +329,14 @@ fn merge_places(cuts: &[Cut], crossings: u32) -> Vec<u32> {
             }
         }
     }
-    (0..crossings).map(|k| root(&mut number, k)).collect()
+    (0..places.len()).map(|k| index(root(&mut number, k))).collect()
 }
 
-fn root(number: &mut [u32], mut k: u32) -> u32 {
-    while number[k as usize] != k {
+fn root(number: &mut [usize], mut k: usize) -> usize {
+    while number[k] != k {
         // Halves the way for those who ask later.
-        number[k as usize] = number[number[k as usize] as usize];
-        k = number[k as usize];
+        number[k] = number[number[k]];
+        k = number[k];
     }
     k
 }

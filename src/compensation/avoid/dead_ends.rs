@@ -6,8 +6,8 @@
 //! and a little less than the tool apart all of a strand may count as clear.
 
 use super::cuts::{Stretch, following};
-use super::index::sort_places;
 use super::units::Workpiece;
+use crate::geometry::sort_pairs;
 
 /// Removes dead ends of up to `longest` [mm], and longer ones where `reaches` says of no stretch
 /// that the tool fits there exactly.
@@ -33,30 +33,31 @@ pub(super) fn remove_dead_ends(
     if starts.is_empty() {
         return;
     }
-    sort_places(&mut starts);
-    sort_places(&mut ends);
+    sort_pairs(&mut starts);
+    sort_pairs(&mut ends);
     let mut dead = vec![false; count];
     for k in 0..count {
-        let stretch = &stretches[k];
-        if next[k].is_none() && stretch.end.is_none() && stretch.ends_in_nothing(work) {
-            let walk = Walk { stretches, work, back: &previous, here: &starts, longest };
-            walk.mark(k, |s| s.start, reaches, &mut dead);
-        }
-        if previous[k].is_none() && stretch.start.is_none() && stretch.starts_from_nothing(work) {
-            let walk = Walk { stretches, work, back: &next, here: &ends, longest };
-            walk.mark(k, |s| s.end, reaches, &mut dead);
-        }
-        // A crossing that nothing else leaves, or that nothing else comes to, is the same.
-        let alone = |list: &[(u32, usize)], place: u32| at(list, place).next().is_none();
-        if next[k].is_none() && stretch.end.is_some_and(|place| alone(&starts, place)) {
-            let walk = Walk { stretches, work, back: &previous, here: &starts, longest };
-            walk.mark(k, |s| s.start, reaches, &mut dead);
-        }
-        if previous[k].is_none() && stretch.start.is_some_and(|place| alone(&ends, place)) {
-            let walk = Walk { stretches, work, back: &next, here: &ends, longest };
-            walk.mark(k, |s| s.end, reaches, &mut dead);
+        for at_end in [true, false] {
+            let (ahead, back, here) =
+                if at_end { (&next, &previous, &starts) } else { (&previous, &next, &ends) };
+            let is_dead_end = ahead[k].is_none()
+                && match stretches[k].at(at_end).1 {
+                    // A crossing that nothing else leaves, or that nothing else comes to.
+                    Some(place) => at(here, place).next().is_none(),
+                    None => stretches[k].is_loose(work, at_end),
+                };
+            if is_dead_end {
+                let walk = Walk { stretches, work, back, here, longest, to_end: !at_end };
+                walk.mark(k, reaches, &mut dead);
+            }
         }
     }
+    keep_alive(stretches, &dead);
+}
+
+/// Removes the stretches that are dead.
+#[inline(never)]
+pub(super) fn keep_alive(stretches: &mut Vec<Stretch>, dead: &[bool]) {
     let mut k = 0;
     stretches.retain(|_| {
         k += 1;
@@ -65,22 +66,23 @@ pub(super) fn remove_dead_ends(
 }
 
 impl Stretch {
-    /// Whether it ends where neither its contour nor, at a fence, the room for the tool does.
-    pub(super) fn ends_in_nothing(&self, work: &Workpiece) -> bool {
-        self.to == 1.0 && {
-            let unit = work.pieces[self.piece].unit as usize;
-            let range = work.range_of(unit);
-            range.closed || work.pieces_of_range(range).end != self.piece + 1
-        }
+    /// The parameter at its start or end, and the crossing there.
+    pub(super) fn at(&self, at_end: bool) -> (f64, Option<u32>) {
+        if at_end { (self.to, self.end) } else { (self.from, self.start) }
     }
 
-    /// The same for its start.
-    pub(super) fn starts_from_nothing(&self, work: &Workpiece) -> bool {
-        self.from == 0.0 && {
-            let unit = work.pieces[self.piece].unit as usize;
-            let range = work.range_of(unit);
-            range.closed || work.pieces_of_range(range).start != self.piece
-        }
+    /// Whether it starts or ends where its piece does not.
+    pub(super) fn is_cut(&self, at_end: bool) -> bool {
+        if at_end { self.to < 1.0 } else { self.from > 0.0 }
+    }
+
+    /// Whether it starts or ends where neither its contour nor, at a fence, the room for the tool does.
+    #[inline(never)]
+    pub(super) fn is_loose(&self, work: &Workpiece, at_end: bool) -> bool {
+        let range = work.range_of(work.pieces[self.piece].unit as usize);
+        let pieces = work.pieces_of_range(range);
+        let outermost = if at_end { pieces.end - 1 } else { pieces.start };
+        !self.is_cut(at_end) && (range.closed || outermost != self.piece)
     }
 }
 
@@ -99,17 +101,14 @@ struct Walk<'a> {
     /// What else begins at the crossings that the walk comes to.
     here: &'a [(u32, usize)],
     longest: f64,
+    /// Whether it comes to the ends of stretches: the dead end is a start.
+    to_end: bool,
 }
 
 impl Walk<'_> {
     /// Marks what leads from the nearest crossing with another way to the dead end at stretch `k`.
-    fn mark(
-        &self,
-        mut k: usize,
-        place: impl Fn(&Stretch) -> Option<u32>,
-        reaches: &mut dyn FnMut(&Stretch) -> bool,
-        dead: &mut [bool],
-    ) {
+    #[inline(never)]
+    fn mark(&self, mut k: usize, reaches: &mut dyn FnMut(&Stretch) -> bool, dead: &mut [bool]) {
         let first = k;
         let mut length = 0.0;
         // The farthest one asked about.
@@ -128,7 +127,7 @@ impl Walk<'_> {
                 }
             }
             let another = |other: usize| other != k && !dead[other];
-            if place(stretch).is_some_and(|place| at(self.here, place).any(another)) {
+            if stretch.at(self.to_end).1.is_some_and(|place| at(self.here, place).any(another)) {
                 break;
             }
             let Some(behind) = self.back[k].filter(|&behind| behind != first) else { return };

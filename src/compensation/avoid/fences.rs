@@ -5,12 +5,11 @@
 
 use glam::DVec2;
 
-use super::index::BoxTree;
 use super::tree::{Marks, OrderTree, Range};
 use super::units::{Kind, Workpiece, corner_arc, corner_of};
 use crate::compensation::offset::{ArcOffset, offset_arc, offset_line, offset_span};
 use crate::contour::MoveCurve;
-use crate::geometry::{Arc, Bounds, perp};
+use crate::geometry::{Arc, Bounds, BoxTree, perp};
 
 /// Calls `visit` with every fence that may meet a box of `open`; those of splines are off by at most
 /// `tolerance` [mm].
@@ -95,17 +94,15 @@ fn corners_beside(work: &Workpiece, unit: usize) -> Vec<crate::contour::Corner> 
     let after = |at: usize| if at + 1 < to { Some(at + 1) } else { closed.then_some(from) };
     let before = |at: usize| if at > from { Some(at - 1) } else { closed.then(|| to - 1) };
     let mut corners = Vec::new();
-    if let Some(gap) = after(unit).filter(|&at| is_break(at))
-        && let Some(next) = after(gap)
-        && let (Some(incoming), Some(outgoing)) = (work.curve(unit), work.curve(next))
-    {
-        corners.push(corner_of(&incoming, &outgoing));
-    }
-    if let Some(gap) = before(unit).filter(|&at| is_break(at))
-        && let Some(last) = before(gap)
-        && let (Some(incoming), Some(outgoing)) = (work.curve(last), work.curve(unit))
-    {
-        corners.push(corner_of(&incoming, &outgoing));
+    for ahead in [true, false] {
+        let step = |at: usize| if ahead { after(at) } else { before(at) };
+        if let Some(gap) = step(unit).filter(|&at| is_break(at))
+            && let Some(other) = step(gap)
+            && let [Some(incoming), Some(outgoing)] =
+                (if ahead { [unit, other] } else { [other, unit] }).map(|at| work.curve(at))
+        {
+            corners.push(corner_of(&incoming, &outgoing));
+        }
     }
     corners
 }

@@ -18,7 +18,6 @@ mod chains;
 mod cuts;
 mod dead_ends;
 mod fences;
-mod index;
 pub(super) mod octants;
 mod points;
 mod sieve;

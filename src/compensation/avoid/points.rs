@@ -47,13 +47,9 @@ pub(super) fn shaping_spans(spans: &[Cubic], shortest: f64) -> std::ops::Range<u
 
 /// The first and the last part of a segment that shape the path.
 pub(super) fn ends(curve: &Curve, shortest: f64) -> [MoveCurve; 2] {
-    match curve {
-        Curve::Line(line) => [MoveCurve::Line(*line); 2],
-        Curve::Arc(arc) => [MoveCurve::Arc(*arc); 2],
-        Curve::Involute(involute) => [MoveCurve::Involute(*involute); 2],
-        Curve::Spline(spline) => {
-            let spans = shaping_spans(spline.pieces(), shortest);
-            [spans.start, spans.end - 1].map(|span| MoveCurve::Cubic(spline.pieces()[span]))
-        }
-    }
+    let spans = match curve {
+        Curve::Spline(spline) => shaping_spans(spline.pieces(), shortest),
+        _ => 0..1,
+    };
+    [spans.start, spans.end - 1].map(|span| MoveCurve::of(curve, span))
 }

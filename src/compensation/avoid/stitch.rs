@@ -4,7 +4,6 @@ use glam::DVec2;
 
 use super::chains::Chain;
 use super::cuts::{SAME_PLACE, Stretch};
-use super::index::sort_places;
 use super::sieve::Clearance;
 use super::units::{Kind, OutsideCorner, Workpiece, corner_of, index};
 use crate::compensation::Options;
@@ -15,7 +14,7 @@ use crate::compensation::transition::CornerFrame;
 use crate::contour::{
     Attributes, Corner, CornerKind, Lead, Move, MoveCurve, Role, Tool, Transition, TransitionKind,
 };
-use crate::geometry::{Curve, Line};
+use crate::geometry::{Curve, Line, sort_pairs};
 
 /// Places examined on each straight move round a corner.
 const EXAMINED: u32 = 16;
@@ -45,7 +44,7 @@ impl Stitcher<'_> {
         let is_led = |k: usize| !chains[k].closed || self.has_end(&chains[k], starts[k]);
         let rank = |k: usize| index(2 * starts[k] + usize::from(is_led(k)));
         let mut order: Vec<(u32, usize)> = (0..chains.len()).map(|k| (rank(k), k)).collect();
-        sort_places(&mut order);
+        sort_pairs(&mut order);
         let looped: Vec<bool> = (0..chains.len()).map(|k| !is_led(k)).collect();
         let all_loops = |job| (0..chains.len()).all(|k| starts[k] != job || looped[k]);
         let mut led = vec![false; jobs.len()];

@@ -13,9 +13,8 @@
 //! both sides. The same holds where the tool runs on along the end tangent of an obtuse corner, up
 //! to `r tan(φ/2) ≤ r sin φ` beyond it.
 
-use super::index::BoxTree;
 use super::octants::Octants;
-use crate::geometry::Bounds;
+use crate::geometry::{Bounds, BoxTree};
 
 /// Children of a node.
 const FAN: usize = 4;

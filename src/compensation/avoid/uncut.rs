@@ -8,10 +8,9 @@
 use glam::DVec2;
 
 use super::cuts::{Stretch, following};
-use super::index::sort_places;
 use super::units::Workpiece;
 use crate::contour::{MoveCurve, Tool, Uncut};
-use crate::geometry::{Arc, cross, flatten_arc, flatten_cubic, sort_long};
+use crate::geometry::{Arc, cross, flatten_arc, flatten_cubic, sort_pairs};
 
 /// What was left out between two stretches of one contour that follow each other.
 #[derive(Debug, Clone, Copy)]
@@ -29,7 +28,7 @@ struct Gap {
 struct Region {
     outline: Vec<DVec2>,
     /// Contours and segments along it.
-    segments: Vec<[u32; 2]>,
+    segments: Vec<(u32, usize)>,
 }
 
 /// The regions that are not reached, as far as gaps bound them.
@@ -42,7 +41,7 @@ pub(super) fn uncut(
     let gaps = gaps(work, stretches);
     let mut by_start: Vec<(u32, usize)> =
         gaps.iter().enumerate().map(|(k, gap)| (gap.places[0], k)).collect();
-    sort_places(&mut by_start);
+    sort_pairs(&mut by_start);
     let mut used = vec![false; gaps.len()];
     let mut regions = Vec::new();
     for first in 0..gaps.len() {
@@ -90,7 +89,7 @@ impl Region {
     /// Appends the contour along part of a unit.
     fn along(&mut self, work: &Workpiece, unit: usize, [from, to]: [f64; 2], tolerance: f64) {
         let of = &work.units[unit];
-        let segment = [of.job, of.segment];
+        let segment = (of.job, of.segment as usize);
         if self.segments.last() != Some(&segment) {
             self.segments.push(segment);
         }
@@ -118,10 +117,10 @@ impl Region {
         if area <= 0.5 * tolerance * around {
             return None;
         }
-        sort_long(&mut self.segments, |a, b| a < b);
+        sort_pairs(&mut self.segments);
         self.segments.dedup();
-        let origin = |[job, segment]: [u32; 2]| {
-            work.jobs[job as usize].contour.segments()[segment as usize].attributes.origin
+        let origin = |(job, segment): (u32, usize)| {
+            work.jobs[job as usize].contour.segments()[segment].attributes.origin
         };
         let segments = self.segments.into_iter().map(origin).collect();
         Some(Uncut { outline: self.outline, area, segments })

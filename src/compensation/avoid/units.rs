@@ -136,12 +136,7 @@ impl<'a> Workpiece<'a> {
     pub(super) fn curve(&self, unit: usize) -> Option<MoveCurve> {
         let Unit { kind, span, .. } = *self.units.get(unit)?;
         match kind {
-            Kind::Segment => Some(match &self.segment(unit).curve {
-                Curve::Line(line) => MoveCurve::Line(*line),
-                Curve::Arc(arc) => MoveCurve::Arc(*arc),
-                Curve::Involute(involute) => MoveCurve::Involute(*involute),
-                Curve::Spline(spline) => MoveCurve::Cubic(spline.pieces()[span as usize]),
-            }),
+            Kind::Segment => Some(MoveCurve::of(&self.segment(unit).curve, span as usize)),
             Kind::Corner(index) => {
                 Some(MoveCurve::Vertical(self.corners[index as usize].corner.point))
             }

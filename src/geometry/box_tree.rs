@@ -4,7 +4,7 @@
 //! side: so nothing is sorted. Only where a contour lies over itself time and again, as one of many
 //! laps does, are they: there a place is beside pieces from everywhere in the list.
 
-use crate::geometry::{Bounds, sort_long};
+use super::{Bounds, sort_pairs};
 
 /// Boxes of one node.
 const FAN: usize = 4;
@@ -20,7 +20,7 @@ const THICK: f64 = 1e-3;
 
 /// Boxes, boxes around four of them that follow each other, and so on to one around all.
 #[derive(Debug)]
-pub(super) struct BoxTree {
+pub struct BoxTree {
     levels: Vec<Vec<Bounds>>,
     /// The place in space of each box, along a curve that fills it, and its index in the list; nothing
     /// where they are in that order.
@@ -28,7 +28,9 @@ pub(super) struct BoxTree {
 }
 
 impl BoxTree {
-    pub(super) fn new(boxes: Vec<Bounds>) -> Self {
+    /// A tree over boxes in their order, or in one of their places.
+    #[must_use]
+    pub fn new(boxes: Vec<Bounds>) -> Self {
         let mut tree = Self { levels: levels(boxes), order: Vec::new() };
         if tree.is_tangled() {
             let boxes = std::mem::take(&mut tree.levels[0]);
@@ -36,7 +38,7 @@ impl BoxTree {
             for (index, bounds) in boxes.iter().enumerate() {
                 tree.order.push((place(bounds, &all), index));
             }
-            sort_places(&mut tree.order);
+            sort_pairs(&mut tree.order);
             let mut sorted = Vec::with_capacity(boxes.len());
             for &(_, index) in &tree.order {
                 sorted.push(boxes[index]);
@@ -47,7 +49,8 @@ impl BoxTree {
     }
 
     /// Whether the boxes lie over each other so often that they were sorted.
-    pub(super) fn is_sorted(&self) -> bool {
+    #[must_use]
+    pub fn is_sorted(&self) -> bool {
         !self.order.is_empty()
     }
 
@@ -69,13 +72,14 @@ impl BoxTree {
     }
 
     /// Whether any box meets `bounds`.
-    pub(super) fn meets(&self, bounds: &Bounds) -> bool {
+    #[must_use]
+    pub fn meets(&self, bounds: &Bounds) -> bool {
         !self.meeting(bounds, &mut |_| false)
     }
 
     /// Calls `visit` with the index of every box that meets `bounds`, until it returns false; returns
     /// whether it never did.
-    pub(super) fn meeting(&self, bounds: &Bounds, visit: &mut dyn FnMut(usize) -> bool) -> bool {
+    pub fn meeting(&self, bounds: &Bounds, visit: &mut dyn FnMut(usize) -> bool) -> bool {
         self.below(self.levels.len() - 1, 0, bounds, visit)
     }
 
@@ -109,13 +113,10 @@ fn levels(boxes: Vec<Bounds>) -> Vec<Vec<Bounds>> {
     while let Some(below) = levels.last()
         && below.len() > 1
     {
-        let mut level = Vec::with_capacity(below.len().div_ceil(FAN));
-        for group in below.chunks(FAN) {
-            let mut around = group[0];
-            for bounds in &group[1..] {
-                around = around.union(*bounds);
-            }
-            level.push(around);
+        let mut level = vec![Bounds::EMPTY; below.len().div_ceil(FAN)];
+        for (index, bounds) in below.iter().enumerate() {
+            let around = &mut level[index / FAN];
+            *around = around.union(*bounds);
         }
         levels.push(level);
     }
@@ -139,8 +140,47 @@ fn place(bounds: &Bounds, all: &Bounds) -> u32 {
     place
 }
 
-/// Sorts indices by the place that each has, and those of one place by themselves.
-#[inline(never)]
-pub(super) fn sort_places(list: &mut [(u32, usize)]) {
-    sort_long(list, |a, b| a < b);
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use super::*;
+    use glam::DVec2;
+    #[cfg(target_arch = "wasm32")]
+    use wasm_bindgen_test::wasm_bindgen_test as test;
+
+    /// Boxes of the sides of a polygon gone round so many times, and of nothing in between.
+    fn laps(sides: u32, laps: u32) -> Vec<Bounds> {
+        let at = |k: u32| DVec2::from_angle(TAU * f64::from(k) / f64::from(sides)) * 50.0;
+        let side = |k: u32| {
+            if k % 97 == 13 { Bounds::EMPTY } else { Bounds::of([at(k), at(k + 1)]) }
+        };
+        (0..sides * laps).map(side).collect()
+    }
+
+    #[test]
+    fn every_box_that_meets_another_is_found_once() {
+        for (sides, times, sorted) in
+            [(0, 1, false), (1, 1, false), (7, 3, false), (1500, 1, false), (100, 60, true)]
+        {
+            let boxes = laps(sides, times);
+            let tree = BoxTree::new(boxes.clone());
+            assert_eq!(tree.is_sorted(), sorted, "{times} laps of {sides}");
+            for k in 0..100 {
+                let angle = f64::from(k) * 0.7;
+                let middle = DVec2::from_angle(angle) * (40.0 + f64::from(k % 20));
+                let place = Bounds::of([middle]).inflated(f64::from(k % 7) * 1.3);
+                let mut found = Vec::new();
+                tree.meeting(&place, &mut |index| {
+                    found.push(index);
+                    true
+                });
+                found.sort_unstable();
+                let expected: Vec<usize> =
+                    (0..boxes.len()).filter(|&i| boxes[i].meets(&place)).collect();
+                assert_eq!(found, expected, "{times} laps of {sides}, {place:?}");
+                assert_eq!(tree.meets(&place), !expected.is_empty(), "{place:?}");
+            }
+        }
+    }
 }
