@@ -26,12 +26,13 @@ const FEED_ERROR: f64 = 1e-7;
 /// The least part of the largest speed that a curve of even speed has.
 const EVEN: f64 = 0.7;
 
-/// Most of Newton's steps from arc length to parameter. The start is a cubic with the right speeds at
-/// both ends, and each step about squares the error.
+/// Most of Newton's steps from arc length to parameter; most often one does. The start is a polynomial
+/// of degree five with the right speed and its change at both ends, and each step about squares the
+/// error.
 const STEPS: usize = 4;
 
-/// A step after which the error is of the size of rounding.
-const LAST_STEP: f64 = 1.0e-6;
+/// A step after which the error is below 1e-10 of the length.
+const LAST_STEP: f64 = 1.0e-5;
 
 /// What the integrals of powers are divided by, inverted: divisions take long.
 const SHARES: [f64; NODE_COUNT] = {
@@ -54,8 +55,9 @@ pub struct Quintic {
     powers: [DVec3; 6],
     /// Those of the speed `|dr/dt|` [mm].
     speed: [f64; NODE_COUNT],
-    /// How fast `t` grows with the part of the length at both ends.
-    paces: [f64; 2],
+    /// How `t` differs from the part of the length: its slopes at both ends, and what brings its
+    /// second derivatives there.
+    start: [f64; 4],
     /// Where on the whole curve this part begins [mm].
     from: f64,
     /// Length of the whole curve [mm].
@@ -103,10 +105,19 @@ impl Quintic {
                 speed[i] -= NODES[first] * speed[i + 1];
             }
         }
-        let mut curve = Self { powers, speed, paces: [1.0; 2], from: 0.0, whole: 0.0, length: 0.0 };
+        let mut curve = Self { powers, speed, start: [0.0; 4], from: 0.0, whole: 0.0, length: 0.0 };
         let [length, end] = curve.run(1.0);
         curve.whole = length;
-        curve.paces = [length / speed[0], length / end];
+        // With p = s/L: dt/dp = L/v, and d²t/dp² = −(L/v)² v'/v.
+        let mut change = 0.0;
+        for (i, power) in speed.iter().enumerate() {
+            change += i as f64 * power;
+        }
+        let (first, last) = (length / speed[0], length / end);
+        let early = -first * first * speed[1] / speed[0];
+        let late = -last * last * change / end;
+        let (a, b) = (first - 1.0, last - 1.0);
+        curve.start = [a, b, 0.5 * early + 2.0 * a + b, 0.5 * late - a - 2.0 * b];
         curve.length = curve.whole;
         curve
     }
@@ -129,9 +140,11 @@ impl Quintic {
     pub fn frame(&self, s: f64) -> Frame {
         let s = self.from + s;
         let part = s / self.whole;
-        let [start, end] = self.paces;
+        let [first, last, early, late] = self.start;
         let rest = 1.0 - part;
-        let mut t = part * (1.0 + rest * (rest * (start - 1.0) - part * (end - 1.0)));
+        let both = part * rest;
+        let slopes = rest * first - part * last;
+        let mut t = part + both * (slopes + both * (rest * early + part * late));
         for _ in 0..STEPS {
             let [length, speed] = self.run(t);
             let step = (length - s) / speed;
@@ -151,14 +164,14 @@ impl Quintic {
     }
 }
 
-/// The polynomial at `t` and its first three derivatives (Horner's scheme, repeated).
+/// The polynomial at `t` and its first three derivatives: Horner's scheme again and again, each time
+/// one coefficient shorter.
 fn derivatives(powers: &[DVec3; 6], t: f64) -> [DVec3; 4] {
-    let mut values = [DVec3::ZERO; 4];
-    for power in powers.iter().rev() {
-        values[3] = values[3] * t + values[2];
-        values[2] = values[2] * t + values[1];
-        values[1] = values[1] * t + values[0];
-        values[0] = values[0] * t + *power;
+    let mut values = *powers;
+    for order in 0..4 {
+        for i in (order..5).rev() {
+            values[i] += values[i + 1] * t;
+        }
     }
     [values[0], values[1], values[2] * 2.0, values[3] * 6.0]
 }

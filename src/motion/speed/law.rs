@@ -18,14 +18,15 @@ pub(in crate::motion) type State = [f64; 4];
 impl Phase {
     /// The state at a time since its start [s].
     pub(in crate::motion) fn at(&self, time: f64) -> State {
-        let [mut s, mut v, mut a, mut j] = [0.0; 4];
-        // Horner's rule carried out for the derivatives too: they come out divided by 1, 2 and 6.
-        for power in self.powers.iter().rev() {
-            j = j * time + a;
-            a = a * time + v;
-            v = v * time + s;
-            s = s * time + power;
+        let mut values = self.powers;
+        // Horner's rule again and again, each time one power shorter: it leaves the derivatives,
+        // divided by 1, 1, 2 and 6.
+        for order in 0..4 {
+            for i in (order..7).rev() {
+                values[i] += values[i + 1] * time;
+            }
         }
+        let [s, v, a, j, ..] = values;
         [s, v, 2.0 * a, 6.0 * j]
     }
 
