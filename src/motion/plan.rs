@@ -3,7 +3,7 @@
 use glam::DVec3;
 
 use super::sample::Sample;
-use super::speed::{Course, Phase, Rates, cruise, law, law_from, ramp_time, textbook};
+use super::speed::{Course, Phase, Rates, cruise, law, law_from, length, ramp_time, textbook};
 use super::{
     CornerCurve, Joint, Limits, LimitsError, MOST_SAMPLES, Mode, Motion, Piece, Placed,
     TrackBuilder,
@@ -18,6 +18,11 @@ const WINDOW: f64 = 10.0;
 /// What is planned again, at least, and in ramps between rest and the largest velocity [s].
 const AGAIN: f64 = 1.0;
 const RAMPS: f64 = 4.0;
+
+/// How often it is tried to go on from a law that brakes, and how much farther on each time, in parts
+/// of what is left of it.
+const TRIES: usize = 4;
+const FARTHER: f64 = 0.25;
 
 /// What a run has on an even stretch beyond its ramp [s].
 const LEAD: f64 = 0.1;
@@ -222,16 +227,38 @@ impl Planner {
         if self.limits.mode == Mode::Textbook {
             return textbook(&self.course, &self.limits);
         }
-        let head = std::mem::take(&mut self.head);
-        if !head.is_empty() {
-            if let Some(law) = law_from(&self.course, &self.limits, &head) {
+        for left in (0..TRIES).rev() {
+            if self.head.is_empty() {
+                break;
+            }
+            if let Some(law) = law_from(&self.course, &self.limits, &self.head) {
+                self.head.clear();
                 return law;
             }
-            // What was planned before is sure: it rests where that ends.
-            self.hand_out(&head, motion);
-            self.course.forget(self.head_end);
+            // What was planned before is sure. It brakes: farther on there is more freedom, and at
+            // last it rests where that ends.
+            let part = if left > 0 { length(&self.head) * FARTHER } else { f64::INFINITY };
+            let (mut time, mut cut) = (0.0, 0);
+            while cut < self.head.len() && time < part {
+                time += self.head[cut].duration;
+                cut += 1;
+            }
+            let rest = self.head.split_off(cut);
+            let sure = std::mem::replace(&mut self.head, rest);
+            self.hand_out(&sure, motion);
+            self.forget();
         }
         law(&self.course, &self.limits)
+    }
+
+    /// Forgets what of the course is before the head, or all of its way where it is empty.
+    fn forget(&mut self) {
+        let on = self.head.first().map_or(self.head_end, |phase| phase.at(0.0)[0]);
+        let gone = self.course.forget(on);
+        for phase in &mut self.head {
+            phase.powers[0] -= gone;
+        }
+        self.head_end -= gone;
     }
 
     /// Plans the run at hand, and samples what does not depend on how it goes on.
@@ -245,12 +272,9 @@ impl Planner {
         self.head_end = self.course.length;
         self.head = phases.split_off(cut);
         self.hand_out(&phases, motion);
-        let on = self.head.first().map_or(0.0, |phase| phase.at(0.0)[0]);
-        let gone = self.course.forget(on);
-        for phase in &mut self.head {
-            phase.powers[0] -= gone;
+        if !self.head.is_empty() {
+            self.forget();
         }
-        self.head_end -= gone;
         self.wait = self.course.time + WINDOW.max(4.0 * self.again);
     }
 

@@ -3,6 +3,8 @@
 use g41::contour::Move;
 use g41::motion::{AxisLimits, CornerCurve, CurvatureSteps, Limits, Motion, Planner, plan};
 
+use glam::DVec3;
+
 use crate::shapes;
 
 fn fast() -> Limits {
@@ -118,6 +120,29 @@ fn arcs_of_opposite_bends_with_too_little_between_them_to_round_are_passed_slowl
     let moves = shapes::compensated(text, 3.0);
     let limits = Limits { corner_deviation: 0.02, ..Limits::default() };
     hold("opposite arcs", &moves, &limits);
+}
+
+#[test]
+fn long_paths_go_on_from_window_to_window_without_a_rest() {
+    let rows: Vec<DVec3> = (0..=4000_u32)
+        .map(|k| {
+            let (row, on) = (k / 400, k % 400);
+            let x = 0.2 * f64::from(if row % 2 == 0 { on } else { 399 - on });
+            let y = (0.16 * x).sin() + 0.4 * (0.47 * x + 2.0).sin();
+            DVec3::new(x, 0.5 * f64::from(row) + 8.0 * y, 2.4 * (0.24 * x).cos())
+        })
+        .collect();
+    for (name, moves, least) in [
+        ("random 2-D", shapes::random_2d(), 20.0),
+        ("random 3-D", shapes::random_3d(), 20.0),
+        ("rows of waves", shapes::polyline(&rows), 15.0),
+    ] {
+        let motion = hold(name, &moves, &Limits::default());
+        assert!(motion.duration > least, "{name}: longer than a window: {} s", motion.duration);
+        let moving = &motion.velocity[10..motion.len() - 10];
+        let slowest = moving.iter().copied().fold(f64::INFINITY, f64::min);
+        assert!(slowest > 0.05, "{name}: rests on the way: {slowest} mm/s");
+    }
 }
 
 #[test]

@@ -25,7 +25,7 @@ mod textbook;
 mod verify;
 
 pub(super) use course::Course;
-pub(super) use law::Phase;
+pub(super) use law::{Phase, length};
 pub(super) use ramp::{Rates, cruise, ramp_time};
 pub(super) use run::{law, law_from};
 pub(super) use textbook::law as textbook;

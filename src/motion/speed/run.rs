@@ -36,7 +36,7 @@ const SOUGHT: usize = 2;
 const DIP: f64 = 3.0;
 
 /// How soon behind a head the law may be another, in the time that jerk needs to reach its limit.
-const LOOSE: f64 = 20.0;
+const LOOSE: f64 = 10.0;
 
 /// How much more is taken than what it exceeds.
 const DEEPER: f64 = 1.3;
@@ -88,11 +88,14 @@ fn planned(course: &Course, limits: &Limits, head: &[Phase]) -> Option<(Vec<Phas
     let mut first = Stage::new(course, limits, &bounds, &at, span, borders);
     first.is_head = is_head;
     first.improve([0.3, 1.0e-2], 0.0, 0);
+    if !length(&first.law).is_finite() {
+        return Some((first.law, f64::INFINITY));
+    }
     let (at, span, borders) = resample(&first.law, course, step, is_head);
     let mut stage = Stage::new(course, limits, &bounds, &at, span, borders);
     stage.is_head = is_head;
     let found = stage.improve([0.3, 1.0e-3], 0.0, 12);
-    let factor = stage.repair(found) * SURE;
+    let factor = stage.repair(found);
     Some((stage.law, factor))
 }
 
@@ -244,7 +247,7 @@ impl<'a> Stage<'a> {
     fn repair(&mut self, mut found: Found) -> f64 {
         let mut excess = vec![[0.0; 4]; self.law.len()];
         verify(self.course, self.limits, self.bounds, &self.law, 0..self.law.len(), &mut excess);
-        let mut best = (self.law.clone(), worst(&excess).max(1.0));
+        let mut best = (self.law.clone(), worst(&excess) * SURE);
         for round in 0..REPAIRS {
             let ranges = self.tighten(&excess);
             if ranges.is_empty() {
@@ -264,17 +267,27 @@ impl<'a> Stage<'a> {
                 let seen = first..(last + 6).min(self.law.len());
                 verify(self.course, self.limits, self.bounds, &self.law, seen, &mut excess);
             }
-            let factor = worst(&excess).max(1.0);
-            if length(&self.law) * factor < length(&best.0) * best.1 {
+            let factor = worst(&excess) * SURE;
+            if self.cost(&self.law, factor) < self.cost(&best.0, best.1) {
                 best = (self.law.clone(), factor);
             }
         }
-        let factor = worst(&excess);
-        if length(&best.0) * best.1 < length(&self.law) * factor.max(1.0) {
+        let factor = worst(&excess) * SURE;
+        if self.cost(&best.0, best.1) < self.cost(&self.law, factor) {
             self.law = best.0;
             return best.1;
         }
         factor
+    }
+
+    /// How long a law lasts once it is put right by a factor on time [s]; one that begins on the move
+    /// cannot be.
+    fn cost(&self, law: &[Phase], factor: f64) -> f64 {
+        match factor {
+            ..=1.0 => length(law),
+            _ if self.is_head => f64::INFINITY,
+            _ => length(law) * factor,
+        }
     }
 
     /// Slows down gently about phases that exceed limits.
@@ -418,7 +431,8 @@ fn resample(law: &[Phase], course: &Course, step: f64, is_head: bool) -> (Vec<f6
         at.push(if course.moving[1] { last[0] + last[1] * span * k } else { course.length });
     }
     if is_head {
-        at = sampled(law, span, at.len());
+        // It runs through the law and not behind it, so fewer stand at its end.
+        at = sampled(law, span, at.len() - 3);
         if !course.moving[1] {
             // To rest, it must not run beyond.
             for one in &mut at {

@@ -16,8 +16,8 @@ const PLACES: usize = 4;
 /// Part of the change of jerk in a period that is left to what lies between the places.
 pub(super) const BETWEEN: f64 = 0.95;
 
-/// What of a limit is well within it.
-const HOLDS: f64 = 0.9995;
+/// What of a limit is well within it: as much as is left to peaks between the places.
+const HOLDS: f64 = 0.9986;
 
 /// Halvings of a step that find the border of two pieces.
 const HALVINGS: u32 = 12;
