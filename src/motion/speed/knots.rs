@@ -11,6 +11,9 @@ use crate::motion::Limits;
 /// What is left to rounding, and between knots.
 const SHARE: f64 = 0.9985;
 
+/// The same of the square of the velocity, which changes little between them.
+const PACE: f64 = 0.999;
+
 /// What changes of the jerk are held to between two knots, inversely squared.
 const CHANGES: f64 = 1.04;
 
@@ -55,7 +58,7 @@ pub(super) fn knots(
         let chord = across(&frame) * limits.period * limits.period / (8.0 * limits.chord_error);
         let square = v * v;
         // Where the path stands still, b would be free.
-        let most = SHARE / (square * chord.max(1.0 / (cap * cap))).max(1.0e-9);
+        let most = PACE / (square * chord.max(1.0 / (cap * cap))).max(1.0e-9);
         let path = [
             frame.tangent * v,
             frame.tangent * a + frame.curvature * square,
