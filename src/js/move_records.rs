@@ -75,9 +75,10 @@ fn record(step: &Move, numbering: &Numbering) -> [f64; STRIDE] {
     ]
 }
 
-/// A feed of the core [mm/s] in JavaScript's unit [mm/min].
+/// A feed of the core [mm/s] in JavaScript's unit [mm/min], without what seconds and back make of its last
+/// digits.
 pub(super) fn per_minute(per_second: f64) -> f64 {
-    per_second * 60.0
+    (per_second * 60e9).round_ties_even() / 1e9
 }
 
 /// A feed of JavaScript [mm/min] in the core's unit [mm/s].

@@ -12,6 +12,7 @@ use super::number::whole;
 use super::open::arc_tolerance;
 use super::words::Words;
 use crate::contour::{Attributes, Shape};
+use crate::diagnostic::Origin;
 use crate::geometry::{Curve, CurveError, RadiusForm, perp, rotate, sin_cos, turn};
 
 /// Most turns of one arc.
@@ -158,7 +159,14 @@ impl Interpreter {
             let last = turn + 1 == turns;
             let heights = [before, if last { end } else { after }];
             let shape = if last { &shape } else { &circle };
-            let attributes = Attributes { time, heights, ..attributes };
+            let mut attributes = Attributes { time, heights, ..attributes };
+            if let Origin::Block { column, .. } = &mut attributes.origin
+                && !last
+                && self.course.switched().is_some()
+            {
+                // In a contour: that it goes on, and is no block of its own as in a loop.
+                *column = Some(1);
+            }
             self.course.curve(from, shape.clone(), attributes, &mut self.report);
         }
     }

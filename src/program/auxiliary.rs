@@ -212,16 +212,17 @@ impl Interpreter {
             0 | 10 | 600 => auxiliary.stops = true,
             30 | 40 => self.modal.spindle = Some(tenths / 10),
             50 => self.modal.spindle = None,
-            60 => {
-                self.modal.change_tool();
-                self.course.change_tool(&mut self.report);
-                self.changed_while_on(block, found, "the tool");
-            }
-            610 => {
-                if let Some(number) = words.find('Q').and_then(|word| whole(word.value)) {
+            60 | 610 => {
+                let number = words.find('Q').filter(|_| tenths == 610);
+                if let Some(number) = number.and_then(|word| whole(word.value)) {
                     self.modal.select_tool(number);
+                }
+                if tenths == 60 || number.is_some() {
                     self.modal.change_tool();
                     self.course.change_tool(&mut self.report);
+                }
+                if tenths == 60 {
+                    self.changed_while_on(block, found, "the tool");
                 }
             }
             _ => {}

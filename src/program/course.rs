@@ -10,12 +10,12 @@ use super::corner_cuts::{CornerWord, PendingCorner};
 use super::items::{
     ContourEnd, ContourStart, Item, OrientationSource, ProgrammedContour, RadiusSource,
 };
-use super::open::{Open, changed, fault_of, line_of, refuse_arc};
+use super::open::{LEAD_OUT, Open, changed, fault_of, line_of, placed, refuse_arc};
 use super::report::Report;
 use super::rules::{ControlWords, Rules};
 use super::spline_words::end_heading;
 use crate::contour::{Attributes, EventKind, Lead, MoveCurve, Reset, Shape, Side};
-use crate::diagnostic::{Diagnostic, Origin};
+use crate::diagnostic::{Diagnostic, Origin, Severity};
 
 /// Compensation as it is to be switched on.
 #[derive(Debug, Clone, Copy)]
@@ -38,7 +38,7 @@ pub(super) struct Course {
     pub(super) state: State,
     pub(super) rules: Rules,
     /// Compensation was switched off, and no straight move has followed yet.
-    needs_a_line: bool,
+    pub(super) needs_a_line: bool,
     /// The control has stopped at a curve that cannot be.
     pub(super) is_cut_off: bool,
     /// The unit of the program [mm].
@@ -140,11 +140,6 @@ impl Course {
         }
     }
 
-    /// Whether a move without way in the plane is nevertheless one that leads in or out.
-    pub(super) fn takes_any_lead(&self) -> bool {
-        self.rules.any_lead && matches!(self.state, State::Waiting(_) | State::Ending(_))
-    }
-
     /// Words, maybe none, after which the next move starts where it says; only outside a contour.
     pub(super) fn reset(&mut self, words: String, origin: Origin, reset: Reset) {
         if self.is_free() {
@@ -165,39 +160,6 @@ impl Course {
             state => {
                 self.state = state;
                 self.end_without_line(ContourEnd::Off, report);
-            }
-        }
-    }
-
-    /// The tool changes: after G40 a control that looks ahead takes where it is for where the program is.
-    pub(super) fn change_tool(&mut self, report: &mut Report) {
-        if self.rules.any_lead {
-            self.end_without_line(ContourEnd::Beside, report);
-        }
-    }
-
-    /// Ends a contour that is switched off, where no straight move leads out of it.
-    fn end_without_line(&mut self, end: ContourEnd, report: &mut Report) {
-        match std::mem::replace(&mut self.state, State::Off) {
-            State::Ending(open) => {
-                self.close(open, None, end, report);
-                self.needs_a_line = self.rules.any_lead;
-            }
-            state => self.state = state,
-        }
-    }
-
-    /// A move along the normal of the plane at `at` [mm].
-    pub(super) fn vertical(&mut self, at: DVec2, attributes: Attributes, report: &mut Report) {
-        self.leave_corner(report);
-        if self.takes_any_lead() {
-            self.line(at, at, attributes, report);
-            return;
-        }
-        match &mut self.state {
-            State::Off | State::Waiting(_) => self.free(MoveCurve::Vertical(at), &attributes),
-            State::On(open) | State::Ending(open) => {
-                open.event(EventKind::Vertical(attributes), attributes.origin);
             }
         }
     }
@@ -290,17 +252,10 @@ impl Course {
             State::Waiting(switched) => {
                 let leads_in = self.rules.any_lead;
                 if !leads_in {
-                    report.push(
-                        Diagnostic::error(
-                            "curved-lead-in",
-                            "compensation is switched on before an arc or a spline",
-                        )
-                        .with_origin(origin)
-                        .with_point(from)
-                        .with_hint(
-                            "lead in with a straight move; LinuxCNC's profile leads in on arcs",
-                        ),
-                    );
+                    let message = "compensation is switched on before an arc or a spline";
+                    let hint = "lead in with a straight move; LinuxCNC's profile leads in on arcs";
+                    let code = "curved-lead-in";
+                    report.push(placed(Severity::Error, code, message, origin, from, hint));
                 }
                 let mut open = Open::new(switched, from, None, self.rules);
                 open.leads_in = leads_in;
@@ -322,12 +277,8 @@ impl Course {
                     refuse_arc(&mut self.items, from, &shape, origin);
                 } else {
                     let message = "compensation is switched off before an arc or a spline";
-                    report.push(
-                        Diagnostic::error("curved-lead-out", message)
-                            .with_origin(origin)
-                            .with_point(from)
-                            .with_hint("lead out with a straight move (G00 or G01) first"),
-                    );
+                    let code = "curved-lead-out";
+                    report.push(placed(Severity::Error, code, message, origin, from, LEAD_OUT));
                 }
                 self.free_curve(from, shape, attributes, report);
             }
@@ -374,15 +325,11 @@ impl Course {
             }
             State::Ending(open) => {
                 if !self.rules.any_lead {
-                    report.push(
-                        Diagnostic::warning(
-                            "no-lead-out",
-                            "compensation is switched off and on again without a move between",
-                        )
-                        .with_origin(switched.origin)
-                        .with_point(at)
-                        .with_hint("lead out with a straight move before G41 or G42"),
-                    );
+                    let message =
+                        "compensation is switched off and on again without a move between";
+                    let hint = "lead out with a straight move before G41 or G42";
+                    let (code, origin) = ("no-lead-out", switched.origin);
+                    report.push(placed(Severity::Warning, code, message, origin, at, hint));
                 }
                 self.close(open, None, ContourEnd::Off, report);
                 self.state = State::Waiting(switched);
@@ -434,7 +381,7 @@ impl Course {
     }
 
     /// Makes the contour, or free moves where there is nothing to compensate.
-    fn close(
+    pub(super) fn close(
         &mut self,
         mut open: Box<Open>,
         lead_out: Option<Lead>,
@@ -472,14 +419,9 @@ impl Course {
                 return;
             }
         }
-        report.push(
-            Diagnostic::warning(
-                "empty-compensation",
-                "there is nothing to compensate between switching on and off",
-            )
-            .with_origin(open.switched.origin)
-            .with_hint("its moves are left as programmed"),
-        );
+        let message = "there is nothing to compensate between switching on and off";
+        let hint = "its moves are left as programmed";
+        report.warning("empty-compensation", message, open.switched.origin, hint);
         let at = open.start;
         if let Some(lead) = open.lead_in {
             self.free_line(lead.point, at, &lead.attributes);

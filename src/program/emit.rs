@@ -251,7 +251,7 @@ impl Emitter {
                 Diagnostic::error("no-clearance", message)
                     .with_origin(next.origin)
                     .with_point(next.curve.start())
-                    .with_hint("give a clearance height, or let the program make a rapid move above the part; until then the written program ends before this"),
+                    .with_hint("give a clearance height, or a rapid move above the part"),
             );
             return false;
         };

@@ -1,14 +1,14 @@
-//! Moves without compensation, as items of a program.
+//! Moves without compensation, as items of a program, and how the tool comes back from beside a contour.
 
 use glam::DVec2;
 
 use super::block::Block;
-use super::course::Course;
+use super::course::{Course, State};
 use super::interpret::MINUTE;
-use super::items::Item;
+use super::items::{ContourEnd, Item};
 use super::open::builder_at;
 use super::report::Report;
-use crate::contour::{Attributes, Move, MoveCurve, Role, Shape};
+use crate::contour::{Attributes, EventKind, Move, MoveCurve, Role, Shape};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Curve, Line};
 
@@ -30,6 +30,52 @@ impl Course {
             *column = known.map(|(_, column)| *column);
         }
         report.push(found);
+    }
+
+    /// Whether a move without way in the plane is nevertheless one that leads in or out.
+    pub(super) fn takes_any_lead(&self) -> bool {
+        self.rules.any_lead
+            && match self.state {
+                State::Off => self.needs_a_line,
+                State::Waiting(_) | State::Ending(_) => true,
+                State::On(_) => false,
+            }
+    }
+
+    /// The tool changes: after G40 a control that looks ahead takes where it is for where the program is.
+    pub(super) fn change_tool(&mut self, report: &mut Report) {
+        if self.rules.any_lead {
+            self.end_without_line(ContourEnd::Beside, report);
+        }
+    }
+
+    /// Ends a contour that is switched off, where no straight move leads out of it.
+    pub(super) fn end_without_line(&mut self, end: ContourEnd, report: &mut Report) {
+        match std::mem::replace(&mut self.state, State::Off) {
+            State::Ending(open) => {
+                self.close(open, None, end, report);
+                self.needs_a_line = self.rules.any_lead;
+            }
+            state => self.state = state,
+        }
+    }
+
+    /// A move along the normal of the plane at `at` [mm].
+    pub(super) fn vertical(&mut self, at: DVec2, attributes: Attributes, report: &mut Report) {
+        self.leave_corner(report);
+        let is_off = matches!(self.state, State::Off);
+        if !is_off && self.takes_any_lead() {
+            self.line(at, at, attributes, report);
+            return;
+        }
+        // It leads back to where the program is.
+        self.needs_a_line &= !is_off;
+        match &mut self.state {
+            State::Off | State::Waiting(_) => self.free(MoveCurve::Vertical(at), &attributes),
+            State::On(open) | State::Ending(open) => {
+                open.event(EventKind::Vertical(attributes), attributes.origin);
+            }
+        }
     }
 
     pub(super) fn free_line(&mut self, from: DVec2, to: DVec2, attributes: &Attributes) {

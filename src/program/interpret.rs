@@ -220,6 +220,11 @@ impl Interpreter {
         origin: Origin,
         hint: &str,
     ) {
+        self.error_or_stop(code, message.into(), origin, hint);
+    }
+
+    #[inline(never)]
+    fn error_or_stop(&mut self, code: &'static str, message: String, origin: Origin, hint: &str) {
         if !self.rules.is_strict {
             self.report.error(code, message, origin, hint);
         } else if !self.is_refused {

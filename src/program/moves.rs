@@ -6,9 +6,10 @@ use super::axes::Axes;
 use super::block::Block;
 use super::g_words::Motion;
 use super::interpret::{GEOMETRY, Interpreter};
+use super::open::placed;
 use super::words::Words;
 use crate::contour::Attributes;
-use crate::diagnostic::Diagnostic;
+use crate::diagnostic::Severity;
 use crate::geometry::MIN_LENGTH;
 
 impl Interpreter {
@@ -165,12 +166,9 @@ impl Interpreter {
         if self.course.is_free() {
             self.state_axes(axes, to, moves, &attributes);
         } else if !moves {
-            self.report.push(
-                Diagnostic::info("zero-length", "the block leads to where the tool is already")
-                    .with_origin(attributes.origin)
-                    .with_point(end)
-                    .with_hint("it is left out"),
-            );
+            let message = "the block leads to where the tool is already";
+            let (code, origin, hint) = ("zero-length", attributes.origin, "it is left out");
+            self.report.push(placed(Severity::Info, code, message, origin, end, hint));
         }
         if moves_in_plane {
             self.course.line(from, end, attributes, &mut self.report);

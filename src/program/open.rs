@@ -141,22 +141,38 @@ pub(super) fn refuse_arc(items: &mut [Item], from: DVec2, shape: &Shape, origin:
     });
     if let Some(contour) = last {
         let message = "the first move without compensation is an arc";
-        contour.end = ContourEnd::Refused(Box::new(
-            Diagnostic::error("curved-lead-out", message)
-                .with_origin(origin)
-                .with_point(from)
-                .with_hint("lead out with a straight move (G00 or G01) first"),
-        ));
+        contour.end = ContourEnd::Refused(Box::new(placed(
+            Severity::Error,
+            "curved-lead-out",
+            message,
+            origin,
+            from,
+            LEAD_OUT,
+        )));
     }
 }
 
 /// Compensation changes while it is on, where no control is known to have rules for it.
 pub(super) fn changed(code: &'static str, what: &str, origin: Origin, at: DVec2) -> Diagnostic {
-    Diagnostic::warning(code, format!("{what} changes while compensation is on"))
-        .with_origin(origin)
-        .with_point(at)
-        .with_hint(
-            "the tool goes straight to its new place beside this point; lead out (G40) and in \
-             again to keep it off the part",
-        )
+    let message = format!("{what} changes while compensation is on");
+    let hint = "the tool goes straight to its new place beside this point; lead out (G40) and in \
+                again to keep it off the part";
+    placed(Severity::Warning, code, &message, origin, at, hint)
+}
+
+/// What to do before a curve that may not follow G40.
+pub(super) const LEAD_OUT: &str = "lead out with a straight move (G00 or G01) first";
+
+/// What is found at a block and a point of the plane [mm].
+#[inline(never)]
+pub(super) fn placed(
+    severity: Severity,
+    code: &'static str,
+    message: &str,
+    origin: Origin,
+    at: DVec2,
+    hint: &str,
+) -> Diagnostic {
+    let found = Diagnostic::error(code, message);
+    Diagnostic { severity, ..found }.with_origin(origin).with_point(at).with_hint(hint)
 }

@@ -1,6 +1,6 @@
 //! A list of diagnostics that stays short however bad the program is.
 
-use crate::diagnostic::{Diagnostic, Origin};
+use crate::diagnostic::{Diagnostic, Origin, Severity};
 use crate::geometry::sort_short;
 
 /// How many diagnostics of one code are listed; the rest are only counted, so that a file of
@@ -56,7 +56,7 @@ impl Report {
         origin: Origin,
         hint: &str,
     ) {
-        self.push(Diagnostic::error(code, message).with_origin(origin).with_hint(hint));
+        self.list(Severity::Error, code, message.into(), origin, hint);
     }
 
     /// Reports what may not be what is meant, and what to do about it.
@@ -67,7 +67,20 @@ impl Report {
         origin: Origin,
         hint: &str,
     ) {
-        self.push(Diagnostic::warning(code, message).with_origin(origin).with_hint(hint));
+        self.list(Severity::Warning, code, message.into(), origin, hint);
+    }
+
+    #[inline(never)]
+    fn list(
+        &mut self,
+        severity: Severity,
+        code: &'static str,
+        message: String,
+        origin: Origin,
+        hint: &str,
+    ) {
+        let found = Diagnostic::error(code, message);
+        self.push(Diagnostic { severity, ..found }.with_origin(origin).with_hint(hint));
     }
 
     pub(super) fn extend(&mut self, diagnostics: impl IntoIterator<Item = Diagnostic>) {

@@ -11,7 +11,8 @@ use crate::compensation::{
     GougePolicy, LeadStyle, Options, Passes, compensate_all, compensate_beside, refuse_gouges,
 };
 use crate::contour::{
-    AuxiliaryWords, Contour, EventKind, Move, MoveCurve, Reset, Role, Tool, ToolPath, Walls,
+    Attributes, AuxiliaryWords, Contour, EventKind, Move, MoveCurve, Reset, Role, Tool, ToolPath,
+    Walls,
 };
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Arc, Decimal, Line, MIN_LENGTH};
@@ -112,6 +113,8 @@ struct Course {
     path: ToolPath,
     /// Whether the coordinates are others since the last move: the next one starts where it says.
     is_reset: bool,
+    /// How far the tool is from where the program is since the last contour, in the plane [mm].
+    beside: DVec2,
     /// What moves do not change stays where the tool is, beside the last contour.
     stays_beside: bool,
     /// The control has refused to go on.
@@ -158,9 +161,13 @@ impl Course {
     /// in the plane.
     fn elsewhere(&mut self, next: &Move) -> Option<(DVec2, f64)> {
         let is_reset = std::mem::take(&mut self.is_reset);
-        let (at, height) = next.plane.split(self.position()?);
-        let is_elsewhere = !is_reset && at.distance(next.curve.start()) > MIN_LENGTH;
-        is_elsewhere.then_some((at, height))
+        let (mut at, mut height) = next.plane.split(self.position()?);
+        let beside = std::mem::take(&mut self.beside);
+        let start = next.curve.start();
+        if is_reset {
+            (at, height) = (start + beside, next.heights[0]);
+        }
+        (at.distance(start) > MIN_LENGTH).then_some((at, height))
     }
 
     /// A move without compensation. After a contour without a lead-out the tool is not where the
@@ -264,6 +271,13 @@ impl Course {
         self.stays_beside = programmed.end == ContourEnd::Beside;
         let own = compensated.moves.len();
         self.path.append(compensated);
+        if looks_ahead
+            && programmed.end == ContourEnd::Off
+            && contour.lead_out().is_none()
+            && let Some(at) = self.path.moves.last()
+        {
+            self.beside = at.curve.end() - contour.end();
+        }
         self.path.contours.push([before, self.path.moves.len()]);
         if avoids {
             let joins = self.path.moves.len() - own;
@@ -371,35 +385,30 @@ fn line_from(at: DVec2, to: DVec2) -> MoveCurve {
 fn set_feeds(path: &mut ToolPath, contour: &Contour) {
     let mut blocks = Vec::new();
     if let Some(lead) = contour.lead_in() {
-        blocks.push(lead.attributes);
+        note(&mut blocks, &lead.attributes);
     }
     let mut events = contour.events().iter().peekable();
-    for (index, segment) in contour.segments().iter().enumerate() {
-        while let Some(event) = events.next_if(|event| event.before <= index) {
-            if let EventKind::Vertical(attributes) = event.kind {
-                blocks.push(attributes);
+    let segments = contour.segments().iter().map(Some).chain([None]);
+    for (index, segment) in segments.enumerate() {
+        while let Some(event) = events.next_if(|event| segment.is_none() || event.before <= index) {
+            if let EventKind::Vertical(attributes) = &event.kind {
+                note(&mut blocks, attributes);
             }
         }
-        blocks.push(segment.attributes);
-    }
-    for event in events {
-        if let EventKind::Vertical(attributes) = event.kind {
-            blocks.push(attributes);
+        if let Some(segment) = segment {
+            note(&mut blocks, &segment.attributes);
         }
     }
     if let Some(lead) = contour.lead_out() {
-        blocks.push(lead.attributes);
+        note(&mut blocks, &lead.attributes);
     }
-    if blocks.iter().all(|block| block.time.is_none()) {
+    if blocks.iter().all(|(_, time)| time.is_none()) {
         return;
     }
     let mut blocks = blocks.iter();
     for moves in path.moves.chunk_by_mut(|a, b| a.origin == b.origin) {
         let origin = moves[0].origin;
-        let Some(time) = blocks.find(|block| block.origin == origin).and_then(|block| block.time)
-        else {
-            continue;
-        };
+        let Some((_, Some(time))) = blocks.find(|(block, _)| *block == origin) else { continue };
         let mut length = 0.0;
         for step in moves.iter() {
             length += step.curve.length().hypot(step.heights[1] - step.heights[0]);
@@ -408,4 +417,9 @@ fn set_feeds(path: &mut ToolPath, contour: &Contour) {
             step.feed = Some(length / time);
         }
     }
+}
+
+#[inline(never)]
+fn note(blocks: &mut Vec<(Origin, Option<f64>)>, attributes: &Attributes) {
+    blocks.push((attributes.origin, attributes.time));
 }

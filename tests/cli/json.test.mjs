@@ -44,6 +44,15 @@ test("rapids are among the moves, in program order, in mm", async () => {
   );
 });
 
+test("a feed has the digits that the program gives it", async () => {
+  const input = "G21 G1 X5 F500\nX6 F7\nX7 F0.3\nG20 X8 F17\n";
+  const { out } = await g41(["convert", "-", "--json"], { input });
+  assert.deepEqual(
+    JSON.parse(out).moves.map(({ feed }) => feed),
+    [500, 7, 0.3, 431.8],
+  );
+});
+
 test("its shape is that of the types", async () => {
   const shapes = [];
   for (const [name, args] of [

@@ -348,3 +348,27 @@ fn arcs_of_every_form() {
         G2 10 15 5 19.8551 -2.4034",
     );
 }
+
+/// Circles that a loop makes of one block are no arc of several turns: each ends beside its own end.
+#[test]
+fn circles_of_a_loop_are_circles_of_their_own() {
+    assert_moves(
+        "G21 G18 G90 F100
+        G0 X0 Y0 Z0
+        G42.1 D12 G1 X0 Z30
+        o1 repeat [3]
+        G91
+        G2 K-30 Y-1
+        G90
+        o1 endrepeat
+        G40 G1 X0 Z0
+        M2",
+        &[],
+        1.0,
+        "G1 -6 0 23.2379
+        G2 0 -1 24 0 0
+        G2 0 -2 24 0 0
+        G2 0 -3 24 0 0
+        G1 0 -3 0",
+    );
+}

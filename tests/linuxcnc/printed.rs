@@ -107,6 +107,14 @@ fn read(whole: &str) -> Case {
     case
 }
 
+/// The line of the block that a move comes from.
+fn line_of(step: &Move) -> u32 {
+    match step.origin {
+        Origin::Block { line, .. } => line,
+        Origin::Segment(index) => index,
+    }
+}
+
 /// The path by the profile, without what is too short to be seen, arcs of several turns with how
 /// many they make.
 fn moves_of(path: &ToolPath, least: f64) -> Vec<(Move, f64)> {
@@ -121,7 +129,7 @@ fn moves_of(path: &ToolPath, least: f64) -> Vec<(Move, f64)> {
                     continue;
                 }
                 let goes_on = moves.last().is_some_and(|(last, _)| {
-                    last.origin == step.origin
+                    line_of(last) == line_of(step)
                         && last.role == step.role
                         && matches!(last.curve, MoveCurve::Arc(before)
                             if before.center().distance(arc.center()) < 0.1)

@@ -25,8 +25,7 @@ use self::corner::{Flank, InsideCorner};
 use self::queue::{Pending, Queue, Shape};
 use super::{CornerStyle, Options};
 use crate::contour::{
-    Attributes, Contour, EventKind, Lead, Role, Segment, Side, Tool, ToolPath, Transition,
-    TransitionKind,
+    Attributes, Contour, EventKind, Lead, Role, Side, Tool, ToolPath, Transition, TransitionKind,
 };
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Arc, Curve, direction, perp, turn};
@@ -34,10 +33,6 @@ use crate::geometry::{Arc, Curve, direction, perp, turn};
 /// How little what is as long as the tool radius may seem longer, by turning inches into mm [mm]; and
 /// how much it is longer than one from a table, which the control itself makes a trifle smaller.
 const SAME_LENGTH: f64 = 1e-9;
-
-/// How far the centre of the full circles of an arc of several turns may lie from its own [mm]: where
-/// its radii disagree they have one in between.
-const SAME_CENTER: f64 = 0.1;
 
 /// Slowest feed of a move whose time is programmed, in units of the program per minute.
 const SLOWEST: f64 = 0.1;
@@ -176,7 +171,8 @@ impl<'a> Control<'a> {
                 attributes.heights[0] = height;
                 attributes.time = attributes.time.map(|last| last + time);
             }
-            if is_turn_of(segment, segments.get(index + 1)) {
+            // A full circle that the next segment goes on with names a column.
+            if let Origin::Block { column: Some(_), .. } = attributes.origin {
                 turns += 1;
                 height = attributes.heights[0];
                 time = attributes.time.unwrap_or(0.0);
@@ -432,16 +428,6 @@ fn climb(attributes: &Attributes) -> f64 {
 /// Length of an arc or helix as programmed, after as many full circles [mm].
 fn helix(arc: &Arc, turns: u32, attributes: &Attributes) -> f64 {
     (arc.length() + f64::from(turns) * TAU * arc.radius()).hypot(climb(attributes))
-}
-
-/// Whether a segment is a full circle of the arc of several turns that the next one ends.
-fn is_turn_of(segment: &Segment, next: Option<&Segment>) -> bool {
-    let (Curve::Arc(circle), Some(next)) = (&segment.curve, next) else { return false };
-    let Curve::Arc(arc) = &next.curve else { return false };
-    circle.sweep().abs() == TAU
-        && circle.center().distance(arc.center()) < SAME_CENTER
-        && circle.is_clockwise() == arc.is_clockwise()
-        && segment.attributes.origin == next.attributes.origin
 }
 
 /// How far an arc turns from one radius to the other, positive counter-clockwise; all round where
