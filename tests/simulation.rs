@@ -3,7 +3,7 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use g41::compensation::{CornerStyle, GougePolicy, Options};
-use g41::contour::{Move, MoveCurve, Role, ToolPath};
+use g41::contour::{Gouge, Move, MoveCurve, Role, ToolPath};
 use g41::diagnostic::{Origin, Severity};
 use g41::program::{Dialect, EmitOptions, Item, Program, Rules, emit, interpret};
 use g41::simulation::{ListedTool, ToolSize, Tools, check_program, compensate_program};
@@ -383,4 +383,75 @@ fn a_subprogram_called_at_two_places_is_judged_place_by_place() {
     swapped.contours.swap(0, 1);
     let found = check_program(&read, &swapped, &tools, 1e-3);
     assert!(!found.is_empty(), "held against each other they are too near");
+}
+
+/// The places of gouges, sorted, with their depths.
+fn places(gouges: &[Gouge]) -> Vec<(f64, f64, f64)> {
+    let tidy = |value: f64| (value * 1e6).round() / 1e6;
+    let mut places: Vec<_> =
+        gouges.iter().map(|g| (tidy(g.at.x), tidy(g.at.y), tidy(g.depth))).collect();
+    places.sort_by(|a, b| a.partial_cmp(b).expect("numbers"));
+    places
+}
+
+/// What the path of a program tells, and what the judge finds on it.
+fn gouges_of(text: &str, radius: f64) -> [Vec<(f64, f64, f64)>; 2] {
+    let read = interpret(&Program::parse(text, Dialect::Auto), Rules::default());
+    let tools = Tools::all(radius);
+    let path = compensate_program(&read, &tools, &Options::default());
+    let found = check_program(&read, &path, &tools, 1e-3);
+    [places(&path.gouges), places(&found)]
+}
+
+/// A program that goes round so often, from the left and away to it.
+fn rounds(laps: &[&str]) -> String {
+    let blocks = laps.concat();
+    format!("G21 G90\nG0 X-20 Y-20\nG41 D1 G1 X0 F600\n{blocks}G40 X-20 Y-20\nM30\n")
+}
+
+const SQUARE: &str = "Y50\nX50\nY0\nX0\n";
+
+#[test]
+fn a_contour_gone_round_twice_or_more_is_not_cut_by_its_laps() {
+    for count in 1..5 {
+        for text in [
+            rounds(&vec![SQUARE; count]),
+            // The same blocks each time.
+            format!("O100 sub\n{SQUARE}O100 endsub\n{}", rounds(&vec!["O100 call\n"; count])),
+        ] {
+            assert_eq!(gouges_of(&text, 3.0), [[], []], "{text}");
+        }
+    }
+}
+
+#[test]
+fn a_lap_may_cut_off_what_the_lap_before_it_left() {
+    // A corner is rounded, and another cut off: no wall of the second lap.
+    let second = "Y50\nX40\nG2 X50 Y40 J-10\nG1 Y0\nX15\nX0 Y10\n";
+    for radius in [1.0, 3.0, 6.35] {
+        assert_eq!(gouges_of(&rounds(&[SQUARE, second]), radius), [[], []], "r {radius}");
+        let [told, found] = gouges_of(&rounds(&[second, SQUARE]), radius);
+        assert!(
+            !told.is_empty() && !found.is_empty(),
+            "the first lap cuts the corners of the second: r {radius}"
+        );
+    }
+}
+
+#[test]
+fn what_every_lap_cuts_is_told_once() {
+    // A slot 4 mm wide and 20 deep, and a tool of 6.
+    let slotted = "Y50\nX20\nY30\nX24\nY50\nX50\nY0\nX0\n";
+    let [told, found] = gouges_of(&rounds(&[slotted]), 3.0);
+    assert!(!told.is_empty() && !found.is_empty(), "the slot is too narrow");
+    for count in 2..4 {
+        let again = gouges_of(&rounds(&vec![slotted; count]), 3.0);
+        assert_eq!(again, [told.clone(), found.clone()], "{count} laps");
+    }
+    for laps in [[SQUARE, slotted], [slotted, SQUARE]] {
+        let [told, found] = gouges_of(&rounds(&laps), 3.0);
+        let at_slot = |&(x, y, _): &(f64, f64, f64)| (19.0..25.0).contains(&x) && y > 29.0;
+        assert!(told.iter().any(at_slot), "{laps:?}: {told:?}");
+        assert!(found.iter().any(at_slot), "{laps:?}: {found:?}");
+    }
 }

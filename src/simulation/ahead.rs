@@ -2,7 +2,6 @@
 
 use super::judge::tell_gouges;
 use super::tools::tip;
-use super::walls::walls;
 use crate::compensation::{Options, Passage, look_ahead};
 use crate::contour::{Plane, Tool, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin, Severity};
@@ -47,8 +46,7 @@ pub(super) fn with_look_ahead(
 /// Tells where the path cuts too deep; the control itself looks at one corner at a time, and makes
 /// it all the same. What a corner within the tangent band costs is not counted.
 fn judge(path: &mut ToolPath, programmed: &ProgrammedContour, tool: Tool, options: &Options) {
-    let Some(walls) = walls(programmed, tool.side()) else { return };
     let undercut = tool.radius() * (1.0 - sin_cos(options.band(tool.radius())).1);
     let tolerance = options.usable_tolerance() + undercut;
-    tell_gouges(path, &walls, tool, tolerance, Severity::Warning);
+    tell_gouges(path, programmed, tool, tolerance, Severity::Warning);
 }

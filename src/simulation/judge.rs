@@ -1,12 +1,14 @@
 //! Judging the tool path of a whole program.
 
+use glam::DVec2;
+
 use super::Tools;
-use super::walls::walls;
-use crate::contour::{Contour, Gouge, Role, Tool, ToolPath};
+use super::walls::laps;
+use crate::contour::{Contour, Gouge, Move, MoveCurve, Role, Segment, Tool, ToolPath, Walls};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::geometry::Decimal;
-use crate::gouge::check;
-use crate::program::{ContourStart, Interpretation, Item};
+use crate::gouge::check_all;
+use crate::program::{ContourStart, Interpretation, Item, ProgrammedContour};
 
 /// The code of a diagnostic about a path that is too near to a distant part of its contour.
 const TOO_NEAR: &str = "bottleneck-gouge";
@@ -17,7 +19,8 @@ const TOLD: f64 = 0.95;
 /// Finds where `path` comes nearer than the radius − `tolerance` [mm] to the contours of a program.
 ///
 /// Each contour is held against the moves that were made for it: others are there for other heights,
-/// or cut away first what it finishes. A path that was not made from a program is held against all of
+/// or cut away first what it finishes. Of a contour that is gone round more than once each lap is held
+/// against itself and those to come. A path that was not made from a program is held against all of
 /// them. A contour whose tool has no radius is not judged.
 #[must_use]
 pub fn check_program(
@@ -38,35 +41,81 @@ pub fn check_program(
         let Some(radius) = tools.radius_of(programmed) else { continue };
         // The block on which the radius changes is the path of neither radius.
         let tapers = programmed.begins == ContourStart::Tapers && first < end;
-        let moves = path.moves[first + usize::from(tapers)..end].to_vec();
-        let own = ToolPath { moves, ..ToolPath::default() };
+        let moves = &path.moves[first + usize::from(tapers)..end];
         let Some(tool) = Tool::new(radius, programmed.side) else { continue };
-        if let Some(walls) = walls(programmed, tool.side()) {
-            gouges.append(&mut check(&walls, &own, radius, tolerance));
+        gouges.append(&mut judged(programmed, moves, tool, tolerance));
+    }
+    gouges
+}
+
+/// Where the moves along a contour cut its walls too deep, each place once.
+///
+/// A lap may cut away what those before it left: it is held against its own walls and those of the
+/// laps to come, which need what it leaves.
+fn judged(
+    programmed: &ProgrammedContour,
+    moves: &[Move],
+    tool: Tool,
+    tolerance: f64,
+) -> Vec<Gouge> {
+    let segments = programmed.contour.segments();
+    let laps = laps(programmed, tool.side());
+    let mut gouges: Vec<Gouge> = Vec::new();
+    let (mut next, mut segment) = (0, 0);
+    for (index, lap) in laps.iter().enumerate() {
+        let mut own = ToolPath::default();
+        while let Some(step) = moves.get(next) {
+            if let Some(later) = laps.get(index + 1) {
+                // Blocks may be run again, so their order tells.
+                let rest = &segments[segment..];
+                let is_of = |of: &Segment| of.attributes.origin == step.origin;
+                if !matches!(step.curve, MoveCurve::Vertical(_)) {
+                    segment += rest.iter().position(is_of).unwrap_or(0);
+                }
+                if segment >= later.first {
+                    break;
+                }
+            }
+            own.moves.push(*step);
+            next += 1;
+        }
+        let mut walls: Vec<&Contour> = vec![&lap.walls];
+        for later in &laps[index + 1..] {
+            walls.push(&later.walls);
+        }
+        let before = gouges.len();
+        for gouge in check_all(&walls, &own, tool.radius(), tolerance) {
+            if !is_told(&gouges[..before], &gouge, tool) {
+                gouges.push(gouge);
+            }
         }
     }
     gouges
 }
 
-/// Adds to a path where its own moves, leads apart, cut the `walls` too deep.
+/// Whether one of some gouges tells of another.
+fn is_told(gouges: &[Gouge], gouge: &Gouge, tool: Tool) -> bool {
+    gouges.iter().any(|told| {
+        told.at.distance(gouge.at) <= 2.0 * tool.radius() && told.depth >= TOLD * gouge.depth
+    })
+}
+
+/// Adds to a path where its own moves, leads apart, cut the walls of their contour too deep.
 pub(super) fn tell_gouges(
     path: &mut ToolPath,
-    walls: &Contour,
+    programmed: &ProgrammedContour,
     tool: Tool,
     tolerance: f64,
     severity: Severity,
 ) {
-    let mut own = ToolPath::default();
+    let mut own = Vec::with_capacity(path.moves.len());
     for step in &path.moves {
         if matches!(step.role, Role::Segment | Role::Transition) {
-            own.moves.push(*step);
+            own.push(*step);
         }
     }
-    for gouge in check(walls, &own, tool.radius(), tolerance) {
-        let is_told = |told: &Gouge| {
-            told.at.distance(gouge.at) <= 2.0 * tool.radius() && told.depth >= TOLD * gouge.depth
-        };
-        if path.gouges.iter().any(is_told) {
+    for gouge in judged(programmed, &own, tool, tolerance) {
+        if is_told(&path.gouges, &gouge, tool) {
             continue;
         }
         let message = format!("the path cuts {} mm too deep", Decimal::of(gouge.depth));
@@ -82,16 +131,36 @@ pub(super) fn tell_gouges(
 }
 
 /// Judges anew what of a path was found too near to distant parts of its contour, when parts of that
-/// are no walls.
-pub(super) fn judge_again(path: &mut ToolPath, walls: &Contour, tool: Tool, tolerance: f64) {
+/// are no walls, or it is gone round more than once.
+pub(super) fn judge_again(
+    path: &mut ToolPath,
+    programmed: &ProgrammedContour,
+    walls: Option<&Walls>,
+    tool: Tool,
+    tolerance: f64,
+) {
+    let is_repeated = laps(programmed, tool.side()).len() > 1;
+    if walls.is_none() && !is_repeated {
+        return;
+    }
     let ToolPath { diagnostics, gouges, .. } = path;
+    let mut told: Vec<(&str, DVec2)> = Vec::new();
     diagnostics.retain(|found| {
-        let is_of = |gouge: &Gouge| found.at == Some(gouge.at) && found.depth == Some(gouge.depth);
-        let judged_again = found.code == TOO_NEAR;
-        if judged_again {
-            gouges.retain(|gouge| !is_of(gouge));
+        let Some(at) = found.at.filter(|_| found.depth.is_some()) else { return true };
+        // What is wrong with every lap is told of the first.
+        let is_known = |&(code, place): &(&str, DVec2)| {
+            is_repeated && code == found.code && place.distance(at) <= tolerance
+        };
+        let goes = found.code == TOO_NEAR || told.iter().any(is_known);
+        if goes {
+            let is_of = |gouge: &Gouge| gouge.at == at && found.depth == Some(gouge.depth);
+            if let Some(index) = gouges.iter().position(is_of) {
+                gouges.remove(index);
+            }
+        } else {
+            told.push((found.code, at));
         }
-        !judged_again
+        !goes
     });
-    tell_gouges(path, walls, tool, tolerance, Severity::Error);
+    tell_gouges(path, programmed, tool, tolerance, Severity::Error);
 }

@@ -217,14 +217,12 @@ impl Course {
                     let (contour, walls) = walls.split(contour.clone());
                     compensate_beside(&contour, walls, tool, options)
                 }
-                Some(walls) if !avoids => {
-                    let mut path = compensate_all(&[(contour, tool)], options);
-                    let tolerance = options.usable_tolerance();
-                    judge_again(&mut path, &walls.alone(contour), tool, tolerance);
-                    path
-                }
                 _ => compensate_all(&[(contour, tool)], options),
             };
+            if !avoids {
+                let tolerance = options.usable_tolerance();
+                judge_again(&mut path, programmed, walls.as_ref(), tool, tolerance);
+            }
             set_feeds(&mut path, contour);
             path
         };

@@ -1,25 +1,98 @@
 //! What of a programmed contour is a wall of the part.
+//!
+//! A contour may be gone round more than once: to finish what was left, as a spring pass does, or to
+//! round a corner that the first lap leaves. Each lap has walls of its own, and those of the last are
+//! what stays.
 
 use std::borrow::Cow;
 
-use crate::contour::{Contour, Side, Walls};
+use glam::DVec2;
+
+use crate::contour::{Contour, Segment, Side, Walls};
 use crate::program::{ContourEnd, ContourStart, ProgrammedContour};
 
-/// The walls of a contour whose tool is on a side: without what only leads, runs in or runs out, and
-/// without a segment on which the radius changes. `None` where nothing is left.
-pub(super) fn walls(programmed: &ProgrammedContour, side: Side) -> Option<Cow<'_, Contour>> {
-    let first = programmed.leads_in || programmed.begins == ContourStart::Tapers;
-    let last = programmed.end == ContourEnd::Tapers;
-    if !first && !last {
-        let whole = &programmed.contour;
-        let alone = Walls::of(whole, side).map(|walls| walls.alone(whole));
-        return Some(alone.map_or(Cow::Borrowed(whole), Cow::Owned));
+/// How near a lap comes to where it began [mm], as programs round.
+const TOUCH: f64 = 0.01;
+
+/// The shortest lap [mm]: far longer than segments that are as near to each other as they are short.
+const SHORTEST: f64 = 1.0;
+
+/// The most segments of a lap before the place where it closes: those that run in.
+const MOST: usize = 3;
+
+/// Cosine of the most that a lap may turn off from the one before where it begins.
+const SAME_WAY: f64 = 0.999_9;
+
+/// Once round a contour.
+#[derive(Debug)]
+pub(super) struct Lap<'a> {
+    pub(super) walls: Cow<'a, Contour>,
+    /// Index of its first segment on the contour.
+    pub(super) first: usize,
+}
+
+/// The laps of a contour whose tool is on a side, each with its walls: without what only leads, runs
+/// in or runs out, and without a segment on which the radius changes.
+pub(super) fn laps(programmed: &ProgrammedContour, side: Side) -> Vec<Lap<'_>> {
+    let whole = &programmed.contour;
+    let segments = whole.segments();
+    let from = programmed.leads_in || programmed.begins == ContourStart::Tapers;
+    let until = segments.len() - usize::from(programmed.end == ContourEnd::Tapers);
+    let mut laps = Vec::new();
+    let mut first = usize::from(from);
+    while first < until {
+        let part = &segments[first..until];
+        let count = lap_of(part);
+        let walls = if count == segments.len() {
+            Cow::Borrowed(whole)
+        } else {
+            Cow::Owned(Contour::of_segments(part[..count].to_vec(), false, [None, None]))
+        };
+        let alone = Walls::of(&walls, side).map(|alone| alone.alone(&walls));
+        laps.push(Lap { walls: alone.map_or(walls, Cow::Owned), first });
+        first += count;
     }
-    let segments = programmed.contour.segments();
-    let until = segments.len() - usize::from(last);
-    let segments = segments.get(usize::from(first)..until).filter(|part| !part.is_empty())?;
-    let part = Contour::of_segments(segments.to_vec(), false, [None, None]);
-    Some(Cow::Owned(
-        Walls::of(&part, side).map_or_else(|| part.clone(), |walls| walls.alone(&part)),
-    ))
+    laps
+}
+
+/// How many segments are the first lap of some that come back to where they began, go on the same way,
+/// and come back again; otherwise all.
+fn lap_of(segments: &[Segment]) -> usize {
+    for count in 1..segments.len() {
+        let rest = &segments[count..];
+        if returns(&segments[..count], Some(rest[0].curve.tangent(0.0)))
+            && (1..=rest.len()).any(|count| returns(&rest[..count], None))
+        {
+            return count;
+        }
+    }
+    segments.len()
+}
+
+/// Whether the last of some segments ends on one of the first, which goes on `along` a direction
+/// there if one is given.
+fn returns(segments: &[Segment], along: Option<DVec2>) -> bool {
+    let at = segments[segments.len() - 1].curve.end();
+    for (index, Segment { curve, .. }) in segments.iter().enumerate().take(MOST) {
+        let is_full = segments.len() == 1 && curve.start().distance(at) <= TOUCH;
+        if !is_full && (index + 1 == segments.len() || curve.bounds().distance(at) > TOUCH) {
+            continue;
+        }
+        let nearest = curve.nearest(at);
+        let behind = &segments[index + 1..];
+        let t = if is_full { 0.0 } else { nearest.t };
+        let left = (1.0 - t) * curve.length();
+        let direction = match behind.first() {
+            Some(next) if left <= TOUCH => next.curve.tangent(0.0),
+            _ => curve.tangent(t),
+        };
+        if nearest.distance <= TOUCH
+            && along.is_none_or(|along| along.dot(direction) >= SAME_WAY)
+            && behind.iter().fold(left, |length, segment| length + segment.curve.length())
+                >= SHORTEST
+        {
+            return true;
+        }
+    }
+    false
 }
