@@ -73,26 +73,17 @@ fn lap_of(segments: &[Segment]) -> usize {
 /// there if one is given.
 fn returns(segments: &[Segment], along: Option<DVec2>) -> bool {
     let at = segments[segments.len() - 1].curve.end();
-    for (index, Segment { curve, .. }) in segments.iter().enumerate().take(MOST) {
-        let is_full = segments.len() == 1 && curve.start().distance(at) <= TOUCH;
-        if !is_full && (index + 1 == segments.len() || curve.bounds().distance(at) > TOUCH) {
-            continue;
+    let mut way = 0.0;
+    for (index, Segment { curve, .. }) in segments.iter().enumerate().rev() {
+        if index < MOST && way >= SHORTEST && curve.bounds().distance(at) <= TOUCH {
+            let nearest = curve.nearest(at);
+            if nearest.distance <= TOUCH
+                && along.is_none_or(|along| along.dot(curve.tangent(nearest.t)) >= SAME_WAY)
+            {
+                return true;
+            }
         }
-        let nearest = curve.nearest(at);
-        let behind = &segments[index + 1..];
-        let t = if is_full { 0.0 } else { nearest.t };
-        let left = (1.0 - t) * curve.length();
-        let direction = match behind.first() {
-            Some(next) if left <= TOUCH => next.curve.tangent(0.0),
-            _ => curve.tangent(t),
-        };
-        if nearest.distance <= TOUCH
-            && along.is_none_or(|along| along.dot(direction) >= SAME_WAY)
-            && behind.iter().fold(left, |length, segment| length + segment.curve.length())
-                >= SHORTEST
-        {
-            return true;
-        }
+        way += curve.length();
     }
     false
 }
