@@ -2,6 +2,7 @@
 
 use super::judge::tell_gouges;
 use super::tools::tip;
+use super::walls::laps;
 use crate::compensation::{Options, Passage, look_ahead};
 use crate::contour::{Plane, Tool, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin, Severity};
@@ -48,5 +49,6 @@ pub(super) fn with_look_ahead(
 fn judge(path: &mut ToolPath, programmed: &ProgrammedContour, tool: Tool, options: &Options) {
     let undercut = tool.radius() * (1.0 - sin_cos(options.band(tool.radius())).1);
     let tolerance = options.usable_tolerance() + undercut;
-    tell_gouges(path, programmed, tool, tolerance, Severity::Warning);
+    let laps = laps(programmed, tool.side());
+    tell_gouges(path, programmed, &laps, tool, tolerance, Severity::Warning);
 }

@@ -3,7 +3,7 @@
 use glam::DVec2;
 
 use super::Tools;
-use super::walls::laps;
+use super::walls::{Lap, laps};
 use crate::contour::{Contour, Gouge, Move, MoveCurve, Role, Segment, Tool, ToolPath, Walls};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::geometry::Decimal;
@@ -20,7 +20,7 @@ const TOLD: f64 = 0.95;
 ///
 /// Each contour is held against the moves that were made for it: others are there for other heights,
 /// or cut away first what it finishes. Of a contour that is gone round more than once each lap is held
-/// against itself and those to come. A path that was not made from a program is held against all of
+/// against itself and the last one. A path that was not made from a program is held against all of
 /// them. A contour whose tool has no radius is not judged.
 #[must_use]
 pub fn check_program(
@@ -43,7 +43,8 @@ pub fn check_program(
         let tapers = programmed.begins == ContourStart::Tapers && first < end;
         let moves = &path.moves[first + usize::from(tapers)..end];
         let Some(tool) = Tool::new(radius, programmed.side) else { continue };
-        gouges.append(&mut judged(programmed, moves, tool, tolerance));
+        let laps = laps(programmed, tool.side());
+        gouges.append(&mut judged(programmed, &laps, moves, tool, tolerance));
     }
     gouges
 }
@@ -51,15 +52,15 @@ pub fn check_program(
 /// Where the moves along a contour cut its walls too deep, each place once.
 ///
 /// A lap may cut away what those before it left: it is held against its own walls and those of the
-/// laps to come, which need what it leaves.
+/// last one, which are what stays.
 fn judged(
     programmed: &ProgrammedContour,
+    laps: &[Lap<'_>],
     moves: &[Move],
     tool: Tool,
     tolerance: f64,
 ) -> Vec<Gouge> {
     let segments = programmed.contour.segments();
-    let laps = laps(programmed, tool.side());
     let mut gouges: Vec<Gouge> = Vec::new();
     let (mut next, mut segment) = (0, 0);
     for (index, lap) in laps.iter().enumerate() {
@@ -80,8 +81,8 @@ fn judged(
             next += 1;
         }
         let mut walls: Vec<&Contour> = vec![&lap.walls];
-        for later in &laps[index + 1..] {
-            walls.push(&later.walls);
+        if let Some(last) = laps[index + 1..].last() {
+            walls.push(&last.walls);
         }
         let before = gouges.len();
         for gouge in check_all(&walls, &own, tool.radius(), tolerance) {
@@ -104,6 +105,7 @@ fn is_told(gouges: &[Gouge], gouge: &Gouge, tool: Tool) -> bool {
 pub(super) fn tell_gouges(
     path: &mut ToolPath,
     programmed: &ProgrammedContour,
+    laps: &[Lap<'_>],
     tool: Tool,
     tolerance: f64,
     severity: Severity,
@@ -114,7 +116,7 @@ pub(super) fn tell_gouges(
             own.push(*step);
         }
     }
-    for gouge in judged(programmed, &own, tool, tolerance) {
+    for gouge in judged(programmed, laps, &own, tool, tolerance) {
         if is_told(&path.gouges, &gouge, tool) {
             continue;
         }
@@ -139,7 +141,8 @@ pub(super) fn judge_again(
     tool: Tool,
     tolerance: f64,
 ) {
-    let is_repeated = laps(programmed, tool.side()).len() > 1;
+    let laps = laps(programmed, tool.side());
+    let is_repeated = laps.len() > 1;
     if walls.is_none() && !is_repeated {
         return;
     }
@@ -162,5 +165,5 @@ pub(super) fn judge_again(
         }
         !goes
     });
-    tell_gouges(path, programmed, tool, tolerance, Severity::Error);
+    tell_gouges(path, programmed, &laps, tool, tolerance, Severity::Error);
 }

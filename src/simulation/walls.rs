@@ -60,8 +60,8 @@ pub(super) fn laps(programmed: &ProgrammedContour, side: Side) -> Vec<Lap<'_>> {
 fn lap_of(segments: &[Segment]) -> usize {
     for count in 1..segments.len() {
         let rest = &segments[count..];
-        if returns(&segments[..count], Some(rest[0].curve.tangent(0.0)))
-            && (1..=rest.len()).any(|count| returns(&rest[..count], None))
+        if returns(segments, count, Some(rest[0].curve.tangent(0.0)))
+            && (1..=rest.len()).any(|count| returns(rest, count, None))
         {
             return count;
         }
@@ -69,21 +69,26 @@ fn lap_of(segments: &[Segment]) -> usize {
     segments.len()
 }
 
-/// Whether the last of some segments ends on one of the first, which goes on `along` a direction
-/// there if one is given.
-fn returns(segments: &[Segment], along: Option<DVec2>) -> bool {
-    let at = segments[segments.len() - 1].curve.end();
-    let mut way = 0.0;
-    for (index, Segment { curve, .. }) in segments.iter().enumerate().rev() {
-        if index < MOST && way >= SHORTEST && curve.bounds().distance(at) <= TOUCH {
-            let nearest = curve.nearest(at);
-            if nearest.distance <= TOUCH
-                && along.is_none_or(|along| along.dot(curve.tangent(nearest.t)) >= SAME_WAY)
-            {
-                return true;
-            }
+/// Whether the last of the first `count` segments ends on one of those that it began with, which goes
+/// on `along` a direction there if one is given.
+fn returns(segments: &[Segment], count: usize, along: Option<DVec2>) -> bool {
+    let at = segments[count - 1].curve.end();
+    segments[..count.min(MOST)].iter().enumerate().any(|(index, Segment { curve, .. })| {
+        if curve.bounds().distance(at) > TOUCH {
+            return false;
         }
-        way += curve.length();
-    }
-    false
+        let nearest = curve.nearest(at);
+        nearest.distance <= TOUCH
+            && along.is_none_or(|along| along.dot(curve.tangent(nearest.t)) >= SAME_WAY)
+            && is_long(&segments[index + 1..count])
+    })
+}
+
+/// Whether segments are long enough for a lap.
+fn is_long(segments: &[Segment]) -> bool {
+    let mut way = 0.0;
+    segments.iter().any(|segment| {
+        way += segment.curve.length();
+        way >= SHORTEST
+    })
 }
