@@ -28,6 +28,8 @@ pub(super) struct Rough {
     shape: CornerShape,
     /// The leg that the deviation allows, as far as the joint itself tells [mm].
     pub(super) leg: f64,
+    /// The longest leg that is of use [mm].
+    most: f64,
     /// Whether the turn, not the curvature, makes the deviation.
     by_turn: bool,
 }
@@ -58,8 +60,9 @@ const SLIGHT: f64 = 0.9;
 const RADIAN: f64 = 0.5;
 
 impl Rough {
-    /// The joint from the end of one piece to the start of another; `None` where it all but goes back.
-    pub(super) fn of(end: &Frame, start: &Frame, deviation: f64) -> Option<Self> {
+    /// The joint from the end of one piece to the start of another, with legs of at most `most` [mm];
+    /// `None` where it all but goes back.
+    pub(super) fn of(end: &Frame, start: &Frame, most: f64, deviation: f64) -> Option<Self> {
         let shape = CornerShape::between(CornerCurve::Ph13, end.tangent, start.tangent)?;
         if shape.half_cosine() < SHARPEST {
             return None;
@@ -75,7 +78,8 @@ impl Rough {
             let excess = leg * (a + leg * (b + leg * c)) - deviation;
             leg -= excess / (a + leg * (2.0 * b + leg * 3.0 * c)).max(f64::MIN_POSITIVE);
         }
-        Some(Self { shape, leg, by_turn: a * leg > 0.5 * deviation })
+        let by_turn = a * leg > 0.5 * deviation;
+        Some(Self { shape, leg: leg.min(most), most, by_turn })
     }
 
     /// The longest blend whose legs are at most `most` [mm], and that stays within `deviation` [mm] of
@@ -87,6 +91,7 @@ impl Rough {
         most: f64,
         deviation: f64,
     ) -> Option<Blend> {
+        let most = most.min(self.most);
         let mut leg = self.leg.min(most);
         let mut best = None;
         for _ in 0..TRIALS {

@@ -8,7 +8,25 @@
 
 use glam::DVec3;
 
-use super::Frame;
+use super::{Frame, Limits};
+use crate::geometry::nth_root;
+
+/// What a leg is longer than the limits ask for: what holds between knots, and a corner that begins
+/// and ends gently, take some.
+const LONGER: f64 = 1.25;
+
+/// About the shortest leg [mm] of a corner between two unit tangents that differ by `turn`, with which
+/// a speed [mm/s] is kept.
+///
+/// Along the corner of two legs `l` acceleration is at most `35/16 v² turn/(2 l)`, jerk `84/√125 v³
+/// turn/(2 l)²`, and its change in time `105/2 v⁴ turn/(2 l)³`: the largest of the derivatives of `f`.
+pub(super) fn shortest_leg(turn: f64, speed: f64, limits: &Limits) -> f64 {
+    let square = speed * speed;
+    let acceleration = 35.0 / 16.0 * turn * square / limits.acceleration;
+    let jerk = (84.0 / 125.0_f64.sqrt() * turn * square * speed / limits.jerk).sqrt();
+    let snap = nth_root(52.5 * turn * square * square / limits.snap(), 3);
+    0.5 * LONGER * acceleration.max(jerk).max(snap)
+}
 
 /// A corner between two lines, traversed by its pace: the way that the tool would have gone
 /// meanwhile on the lines.

@@ -8,6 +8,7 @@
 use glam::DVec3;
 
 use super::blend::{Rough, SHARPEST};
+use super::eased::shortest_leg;
 use super::pieces::{chords, pieces};
 use super::{
     Corner, CornerCurve, CornerShape, CurvatureSteps, Eased, Fitted, Fitter, Joint, Limits, Mode,
@@ -67,6 +68,9 @@ const GAP: f64 = 1e-6;
 
 /// The part of the deviation that may lie between a short arc and the chords by which it is fitted.
 const CHORDS: f64 = 0.02;
+
+/// The part of one feed that the other one is at least where they count as one.
+const ALIKE: f64 = 0.9;
 
 /// Makes a track of moves as they come; each piece is handed out when the next two moves are known.
 #[expect(clippy::struct_excessive_bools, reason = "each tells of something else")]
@@ -339,10 +343,12 @@ impl TrackBuilder {
             return Meeting::As(joint);
         }
         let is_turn = joint == Joint::Stop;
+        let turn = (start.tangent - end.tangent).length();
         if is_turn && let (Piece::Straight(_), Piece::Straight(_)) = (&before.piece, &next.piece) {
             return match CornerShape::between(self.corner, end.tangent, start.tangent) {
                 Some(shape) if deviation > 0.0 && shape.half_cosine() >= SHARPEST => {
-                    Meeting::Lines(shape, deviation / shape.deviation_per_leg())
+                    let leg = deviation / shape.deviation_per_leg();
+                    Meeting::Lines(shape, leg.min(self.enough(before, next, turn)))
                 }
                 _ => Meeting::As(Joint::Stop),
             };
@@ -356,9 +362,27 @@ impl TrackBuilder {
         }
         let feed = before.feed.min(next.feed) * self.limits.feed_override;
         let as_is = joint.or_slight_turn(&end, &start, feed, &self.limits);
-        match Rough::of(&end, &start, deviation) {
+        let enough = self.enough(before, next, turn);
+        // Rounding what is slow enough as it is would only take longer.
+        if !is_turn && enough.is_finite() && feed <= as_is.speed(&self.limits) {
+            return Meeting::As(as_is);
+        }
+        let most = if is_turn { enough } else { f64::INFINITY };
+        match Rough::of(&end, &start, most, deviation) {
             Some(rough) => Meeting::Rough(rough, as_is),
             None => Meeting::As(as_is),
+        }
+    }
+
+    /// The longest leg that is of use between two pieces [mm]: with another feed on either side the
+    /// slower one holds on all of it, and longer than that takes it is only slow.
+    fn enough(&self, before: &Stretch, next: &Stretch, turn: f64) -> f64 {
+        let slower = before.feed.min(next.feed) * self.limits.feed_override;
+        let faster = before.feed.max(next.feed).min(self.limits.velocity);
+        if self.limits.mode == Mode::Fast && ALIKE * faster > slower {
+            shortest_leg(turn, slower, &self.limits)
+        } else {
+            f64::INFINITY
         }
     }
 

@@ -42,6 +42,40 @@ fn cycle_times_are_at_least_a_tenth_better_on_random_paths_and_no_worse_on_any()
 }
 
 #[test]
+fn corners_between_a_rapid_move_and_a_slow_one_take_no_longer_than_stops() {
+    // Drilling: down at 5 mm/s, up and on at the most that there is.
+    let mut points = vec![DVec3::ZERO];
+    for hole in 0..5_u32 {
+        let x = 30.0 * f64::from(hole);
+        points.extend([DVec3::new(x + 30.0, 0.0, 0.0), DVec3::new(x + 30.0, 0.0, -4.0)]);
+        points.push(DVec3::new(x + 35.0, 0.0, -4.0));
+        points.push(DVec3::new(x + 35.0, 0.0, 0.0));
+    }
+    let mut moves = shapes::polyline(&points);
+    for (index, one) in moves.iter_mut().enumerate() {
+        match index % 4 {
+            1 => one.feed = Some(5.0),
+            2 => one.feed = Some(20.0),
+            _ => one.rapid = true,
+        }
+    }
+    let stops = time(&moves, &Limits { exact_stop: true, ..Limits::default() });
+    let mut last = stops;
+    for corner_deviation in [0.01, 0.05, 0.2, 1.0] {
+        let limits = Limits { corner_deviation, ..Limits::default() };
+        let motion = plan(&moves, &limits).expect("limits");
+        assert!(motion.violations(&moves, &limits).worst() < 1.0005, "{corner_deviation} mm");
+        assert!(
+            motion.duration < last + 1e-3,
+            "{} s within {corner_deviation} mm, {last} s before",
+            motion.duration
+        );
+        last = motion.duration;
+    }
+    assert!(last < 0.995 * stops, "{last} s, with stops {stops} s");
+}
+
+#[test]
 fn a_line_takes_the_shortest_time_that_there_is() {
     // Ruckig's durations for the same limits: jerk for A/J brings the acceleration, which lasts until
     // the speed is there, or for half the way.
