@@ -111,8 +111,10 @@ fn programs_in_time_keep_to_their_limits() {
         ] {
             assert!(peak.value <= peak.limit, "{name}: {what} {peak:?}");
         }
-        // The deviation is told to what its own search makes of it.
-        assert!(found.deviation.value <= 1.0005 * limits.corner_deviation, "{name}: {found:?}");
+        // A corner is as far from the samples as from the path, and what the chord between two of
+        // them adds; it is told to what its own search makes of it.
+        let most = 1.0005 * limits.corner_deviation + found.chord_error.value;
+        assert!(found.deviation.value <= most, "{name}: {found:?}");
         assert!(found.end < 1e-9, "{name}: {found:?}");
     }
 }
