@@ -154,7 +154,7 @@ impl Trace {
         if least <= 0.0 {
             return;
         }
-        let tree = OrderTree::new(std::mem::take(&mut self.nodes));
+        let mut tree = OrderTree::new(std::mem::take(&mut self.nodes));
         let marks = tree.marks(&self.ranges, Limits { reach: least, least: 0.0 });
         let Self { units, ranges, .. } = &self;
         let watch = Watch { units, tree: &tree, jobs, ranges, radius, least };

@@ -302,6 +302,10 @@ impl ToolPath {
             one.moves_end += self.moves.len();
             one.parent = one.parent.map(|parent| parent + loops);
         }
+        if self.moves.is_empty() {
+            // Nothing is copied.
+            std::mem::swap(&mut self.moves, &mut other.moves);
+        }
         self.moves.append(&mut other.moves);
         self.transitions.append(&mut other.transitions);
         self.diagnostics.append(&mut other.diagnostics);

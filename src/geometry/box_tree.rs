@@ -9,11 +9,13 @@ use super::{Bounds, sort_pairs};
 /// Boxes of one node.
 const FAN: usize = 4;
 
-/// The level whose boxes, each of 256 that follow each other, tell whether the order is good.
-const TOLD_BY: usize = 4;
+/// The level whose boxes, each of 64 that follow each other, tell whether the order is good.
+///
+/// Of turns of a spiral the boxes of many more would lie over each other, though nothing of it does.
+pub const TOLD_BY: usize = 3;
 
 /// How often they may cover the area of the box around all.
-const COVERED: f64 = 4.0;
+const COVERED: f64 = 2.3;
 
 /// What is added to their sizes so that a line covers something, as a part of the size of all.
 const THICK: f64 = 1e-3;
@@ -32,7 +34,8 @@ impl BoxTree {
     #[must_use]
     pub fn new(boxes: Vec<Bounds>) -> Self {
         let mut tree = Self { levels: levels(boxes), order: Vec::new() };
-        if tree.is_tangled() {
+        let told_by = tree.levels.get(TOLD_BY);
+        if told_by.is_some_and(|boxes| is_tangled(boxes, &tree.around())) {
             let boxes = std::mem::take(&mut tree.levels[0]);
             let all = tree.around();
             for (index, bounds) in boxes.iter().enumerate() {
@@ -48,27 +51,13 @@ impl BoxTree {
         tree
     }
 
-    /// Whether the boxes lie over each other so often that they were sorted.
-    #[must_use]
-    pub fn is_sorted(&self) -> bool {
+    #[cfg(test)]
+    fn is_sorted(&self) -> bool {
         !self.order.is_empty()
     }
 
     fn around(&self) -> Bounds {
         self.levels[self.levels.len() - 1][0]
-    }
-
-    fn is_tangled(&self) -> bool {
-        if self.levels.len() <= TOLD_BY + 1 {
-            return false;
-        }
-        let size = self.around().size();
-        let thick = THICK * size.max_element();
-        let mut covered = 0.0;
-        for bounds in &self.levels[TOLD_BY] {
-            covered += (bounds.size() + thick).element_product();
-        }
-        covered > COVERED * (size + thick).element_product()
     }
 
     /// Whether any box meets `bounds`.
@@ -92,19 +81,37 @@ impl BoxTree {
         visit: &mut dyn FnMut(usize) -> bool,
     ) -> bool {
         let boxes = &self.levels[level];
-        for (index, around) in boxes.iter().enumerate().skip(from).take(FAN) {
-            let goes_on = !around.meets(bounds)
-                || if level == 0 {
+        for (index, around) in (from..).zip(&boxes[from..boxes.len().min(from + FAN)]) {
+            if around.meets(bounds) {
+                let goes_on = if level == 0 {
                     visit(self.order.get(index).map_or(index, |sorted| sorted.1))
                 } else {
                     self.below(level - 1, FAN * index, bounds, visit)
                 };
-            if !goes_on {
-                return false;
+                if !goes_on {
+                    return false;
+                }
             }
         }
         true
     }
+}
+
+/// Whether boxes lie over each other so often that they are to be sorted; `around` is the one around
+/// all of them.
+#[inline(never)]
+#[must_use]
+pub fn is_tangled(boxes: &[Bounds], around: &Bounds) -> bool {
+    if boxes.len() <= FAN {
+        return false;
+    }
+    let size = around.size();
+    let thick = THICK * size.max_element();
+    let mut covered = 0.0;
+    for bounds in boxes {
+        covered += (bounds.size() + thick).element_product();
+    }
+    covered > COVERED * (size + thick).element_product()
 }
 
 /// All levels over some boxes.

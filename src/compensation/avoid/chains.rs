@@ -9,7 +9,7 @@ use glam::DVec2;
 use super::Whole;
 use super::cuts::{Stretch, following, sort_along};
 use super::dead_ends::keep_alive;
-use super::sieve::Clearance;
+use super::sieve::{Clearance, Fate};
 use super::units::Workpiece;
 use crate::geometry::sort_pairs;
 
@@ -22,8 +22,8 @@ pub(super) struct Chain {
     pub(super) closed: bool,
 }
 
-/// Nothing follows.
-const NONE: usize = usize::MAX;
+/// Nothing follows, or comes before.
+pub(super) const NONE: usize = usize::MAX;
 
 /// The chains of clear `stretches`, ordered by where they begin; gaps of up to `gap` [mm] are none.
 pub(super) fn chains(
@@ -32,11 +32,11 @@ pub(super) fn chains(
     gap: f64,
     clearance: &mut Clearance,
 ) -> Vec<Chain> {
-    let (next, has_previous) = links(work, stretches, gap, clearance);
+    let (next, previous) = links(work, stretches, gap, clearance);
     // Open chains lead on from their starts; what is left are loops.
     let mut is_looped = vec![true; stretches.len()];
-    for (first, &follows) in has_previous.iter().enumerate() {
-        let mut last = if follows { NONE } else { first };
+    for (first, &before) in previous.iter().enumerate() {
+        let mut last = if before == NONE { first } else { NONE };
         while last != NONE && is_looped[last] {
             is_looped[last] = false;
             last = next[last];
@@ -45,7 +45,7 @@ pub(super) fn chains(
     let mut used = vec![false; stretches.len()];
     let mut chains = Vec::new();
     for first in 0..stretches.len() {
-        if used[first] || has_previous[first] && !is_looped[first] {
+        if used[first] || previous[first] != NONE && !is_looped[first] {
             continue;
         }
         let mut chain = Chain { stretches: Vec::new(), closed: false };
@@ -59,6 +59,27 @@ pub(super) fn chains(
         chains.push(chain);
     }
     chains
+}
+
+/// The chain of each contour where all pieces are clear and follow each other: nothing is cut then, and
+/// there is nothing to look for.
+pub(super) fn whole_chains(work: &Workpiece, fates: &[Fate]) -> Option<Vec<Chain>> {
+    if !fates.iter().all(|fate| *fate == Fate::Clear) {
+        return None;
+    }
+    let mut chains = Vec::with_capacity(work.ranges.len());
+    for range in &work.ranges {
+        let stretches: Vec<usize> = work.pieces_of_range(*range).collect();
+        let (&first, &last) = (stretches.first()?, stretches.last()?);
+        let next = |k: usize| work.pieces[k].next as usize;
+        let is_whole =
+            (first..last).all(|k| next(k) == k + 1) && (!range.closed || next(last) == first);
+        if !is_whole {
+            return None;
+        }
+        chains.push(Chain { stretches, closed: range.closed });
+    }
+    Some(chains)
 }
 
 /// Removes the stretches of open chains where the tool fits exactly nowhere, of which `reaches`
@@ -124,23 +145,31 @@ pub(super) fn lost_ends(
     lost
 }
 
-/// For each stretch the one that follows it, and whether it follows one.
+/// For each stretch the one that goes on along the same contour where it ends, and the one that it goes on
+/// from; [`NONE`] where there is none.
+pub(super) fn neighbours(work: &Workpiece, stretches: &[Stretch]) -> (Vec<usize>, Vec<usize>) {
+    let mut next = vec![NONE; stretches.len()];
+    let mut previous = vec![NONE; stretches.len()];
+    for (k, next) in next.iter_mut().enumerate() {
+        if let Some(to) = following(work, stretches, k) {
+            (*next, previous[to]) = (to, k);
+        }
+    }
+    (next, previous)
+}
+
+/// For each stretch the one that follows it, and the one that it follows.
 fn links(
     work: &Workpiece,
     stretches: &[Stretch],
     gap: f64,
     clearance: &mut Clearance,
-) -> (Vec<usize>, Vec<bool>) {
-    let mut next: Vec<usize> =
-        (0..stretches.len()).map(|k| following(work, stretches, k).unwrap_or(NONE)).collect();
-    let mut has_previous = vec![false; stretches.len()];
-    for &to in next.iter().filter(|&&to| to != NONE) {
-        has_previous[to] = true;
-    }
+) -> (Vec<usize>, Vec<usize>) {
+    let (mut next, mut previous) = neighbours(work, stretches);
     // What starts at a crossing without following anything, by its crossing.
     let mut starting: Vec<(u32, usize)> = Vec::new();
     for (k, stretch) in stretches.iter().enumerate() {
-        if let Some(place) = stretch.start.filter(|_| !has_previous[k]) {
+        if let Some(place) = stretch.start.filter(|_| previous[k] == NONE) {
             starting.push((place, k));
         }
     }
@@ -149,14 +178,13 @@ fn links(
         if let Some(place) = stretches[k].end.filter(|_| next[k] == NONE) {
             let from = starting.partition_point(|&(at, _)| at < place);
             let mut here = starting[from..].iter().take_while(|&&(at, _)| at == place);
-            if let Some(&(_, to)) = here.find(|&&(_, to)| !has_previous[to]) {
-                has_previous[to] = true;
-                next[k] = to;
+            if let Some(&(_, to)) = here.find(|&&(_, to)| previous[to] == NONE) {
+                (next[k], previous[to]) = (to, k);
             }
         }
     }
-    bridge(work, stretches, gap, clearance, &mut next, &mut has_previous);
-    (next, has_previous)
+    bridge(work, stretches, gap, clearance, &mut next, &mut previous);
+    (next, previous)
 }
 
 /// Links ends to starts that are no farther than `gap` [mm] from them, where the way there is clear
@@ -168,12 +196,12 @@ fn bridge(
     gap: f64,
     clearance: &mut Clearance,
     next: &mut [usize],
-    has_previous: &mut [bool],
+    previous: &mut [usize],
 ) {
     let point = |k: usize, t: f64| work.pieces[stretches[k].piece].curve.point(t);
     let mut starting: Vec<(f64, usize)> = Vec::new();
     for (k, stretch) in stretches.iter().enumerate() {
-        if !has_previous[k] && (stretch.is_cut(false) || stretch.is_loose(work, false)) {
+        if previous[k] == NONE && (stretch.is_cut(false) || stretch.is_loose(work, false)) {
             starting.push((point(k, stretch.from).x, k));
         }
     }
@@ -192,13 +220,12 @@ fn bridge(
                 let place = |k: u32| end.lerp(start, 0.25 * f64::from(k));
                 (0..=4).all(|k| clearance.is_clear_except(place(k), [0, 0]))
             };
-            if off <= nearest.0 && !has_previous[to] && to != k && is_clear() {
+            if off <= nearest.0 && previous[to] == NONE && to != k && is_clear() {
                 nearest = (off, to);
             }
         }
         if nearest.1 != NONE {
-            next[k] = nearest.1;
-            has_previous[nearest.1] = true;
+            (next[k], previous[nearest.1]) = (nearest.1, k);
         }
     }
 }

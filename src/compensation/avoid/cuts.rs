@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::fences::each_fence;
 use super::sieve::{Clearance, Fate};
-use super::tree::{Marks, OrderTree};
+use super::tree::OrderTree;
 use super::units::{Workpiece, index};
 use crate::compensation::meet::meet;
 use crate::contour::MoveCurve;
@@ -45,6 +45,11 @@ pub(super) struct Stretch {
 }
 
 impl Stretch {
+    /// All of a piece.
+    pub(super) fn whole(piece: usize) -> Self {
+        Self { piece, from: 0.0, to: 1.0, start: None, end: None }
+    }
+
     /// Appends its clear part.
     ///
     /// Mostly it is clear all along or nowhere. Where paths touch, or cross at no angle to speak of,
@@ -102,7 +107,6 @@ struct Cut {
 pub(super) struct Survey<'a> {
     pub(super) work: &'a Workpiece<'a>,
     pub(super) tree: &'a OrderTree,
-    pub(super) marks: &'a Marks,
     pub(super) fates: &'a [Fate],
     /// Radius of the tool [mm].
     pub(super) radius: f64,
@@ -189,8 +193,8 @@ impl Survey<'_> {
             });
         }
         if !open.is_empty() {
-            let Self { work, marks, tolerance, .. } = *self;
-            each_fence(work, self.tree, marks, &tree, tolerance, &mut |fence| {
+            let Self { work, tolerance, .. } = *self;
+            each_fence(work, self.tree, &tree, tolerance, &mut |fence| {
                 tree.meeting(&fence.hull_bounds(), &mut |i| {
                     let piece = open[i];
                     for crossing in meet(&pieces[piece].curve, fence).points() {
@@ -239,7 +243,7 @@ impl Survey<'_> {
         let mut stretches = Vec::with_capacity(self.work.pieces.len() + cuts.len());
         let mut k = 0;
         for (index, fate) in self.fates.iter().enumerate() {
-            let mut stretch = Stretch { piece: index, from: 0.0, to: 1.0, start: None, end: None };
+            let mut stretch = Stretch::whole(index);
             match fate {
                 Fate::Gouged => continue,
                 Fate::Clear => {

@@ -5,7 +5,8 @@
 //! follow that; and the same at starts, the other way round. Between walls that are nearly parallel
 //! and a little less than the tool apart all of a strand may count as clear.
 
-use super::cuts::{Stretch, following};
+use super::chains::{NONE, neighbours};
+use super::cuts::Stretch;
 use super::units::Workpiece;
 use crate::geometry::sort_pairs;
 
@@ -17,21 +18,16 @@ pub(super) fn remove_dead_ends(
     longest: f64,
     reaches: &mut dyn FnMut(&Stretch) -> bool,
 ) {
+    if stretches.iter().all(|stretch| stretch.start.is_none()) {
+        return;
+    }
     let count = stretches.len();
-    let mut next = vec![None; count];
-    let mut previous = vec![None; count];
+    let (next, previous) = neighbours(work, stretches);
     let mut starts: Vec<(u32, usize)> = Vec::new();
     let mut ends: Vec<(u32, usize)> = Vec::new();
-    for k in 0..count {
-        next[k] = following(work, stretches, k);
-        if let Some(to) = next[k] {
-            previous[to] = Some(k);
-        }
-        starts.extend(stretches[k].start.map(|place| (place, k)));
-        ends.extend(stretches[k].end.map(|place| (place, k)));
-    }
-    if starts.is_empty() {
-        return;
+    for (k, stretch) in stretches.iter().enumerate() {
+        starts.extend(stretch.start.map(|place| (place, k)));
+        ends.extend(stretch.end.map(|place| (place, k)));
     }
     sort_pairs(&mut starts);
     sort_pairs(&mut ends);
@@ -40,7 +36,7 @@ pub(super) fn remove_dead_ends(
         for at_end in [true, false] {
             let (ahead, back, here) =
                 if at_end { (&next, &previous, &starts) } else { (&previous, &next, &ends) };
-            let is_dead_end = ahead[k].is_none()
+            let is_dead_end = ahead[k] == NONE
                 && match stretches[k].at(at_end).1 {
                     // A crossing that nothing else leaves, or that nothing else comes to.
                     Some(place) => at(here, place).next().is_none(),
@@ -96,8 +92,8 @@ fn at(list: &[(u32, usize)], place: u32) -> impl Iterator<Item = usize> {
 struct Walk<'a> {
     stretches: &'a [Stretch],
     work: &'a Workpiece<'a>,
-    /// For each stretch the one behind it, seen from the dead end.
-    back: &'a [Option<usize>],
+    /// For each stretch the one behind it, seen from the dead end; [`NONE`] where there is none.
+    back: &'a [usize],
     /// What else begins at the crossings that the walk comes to.
     here: &'a [(u32, usize)],
     longest: f64,
@@ -112,7 +108,7 @@ impl Walk<'_> {
         let first = k;
         let mut length = 0.0;
         // The farthest one asked about.
-        let mut asked = None;
+        let mut asked = NONE;
         loop {
             let stretch = &self.stretches[k];
             let curve = &self.work.pieces[stretch.piece].curve;
@@ -120,9 +116,9 @@ impl Walk<'_> {
             if dead[k] {
                 return;
             }
-            while length > self.longest && asked != Some(k) {
-                asked = asked.map_or(Some(first), |k| self.back[k]);
-                if asked.is_none_or(|k| reaches(&self.stretches[k])) {
+            while length > self.longest && asked != k {
+                asked = if asked == NONE { first } else { self.back[asked] };
+                if asked == NONE || reaches(&self.stretches[asked]) {
                     return;
                 }
             }
@@ -130,15 +126,15 @@ impl Walk<'_> {
             if stretch.at(self.to_end).1.is_some_and(|place| at(self.here, place).any(another)) {
                 break;
             }
-            let Some(behind) = self.back[k].filter(|&behind| behind != first) else { return };
-            k = behind;
+            k = self.back[k];
+            if k == NONE || k == first {
+                return;
+            }
         }
         let mut end = first;
         dead[end] = true;
-        while end != k
-            && let Some(behind) = self.back[end]
-        {
-            end = behind;
+        while end != k {
+            end = self.back[end];
             dead[end] = true;
         }
     }

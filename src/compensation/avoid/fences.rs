@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use super::tree::{Marks, OrderTree, Range};
+use super::tree::{OrderTree, Range};
 use super::units::{Kind, Workpiece, corner_arc, corner_of};
 use crate::compensation::offset::{ArcOffset, offset_arc, offset_line, offset_span};
 use crate::contour::MoveCurve;
@@ -16,18 +16,17 @@ use crate::geometry::{Arc, Bounds, BoxTree, perp};
 pub(super) fn each_fence(
     work: &Workpiece,
     tree: &OrderTree,
-    marks: &Marks,
     open: &BoxTree,
     tolerance: f64,
     visit: &mut dyn FnMut(&MoveCurve),
 ) {
     let mut curves = Vec::new();
     for unit in 0..work.units.len() {
-        if !marks.is_wall(unit) || work.units[unit].kind != Kind::Segment {
+        if work.units[unit].kind != Kind::Segment {
             continue;
         }
-        let offset = work.jobs[work.units[unit].job as usize].tool.offset();
         let node = tree.unit(unit);
+        let offset = work.jobs[work.units[unit].job as usize].tool.offset();
         let beside = node.octants.left_normals();
         let (a, b) = (beside.min * -offset, beside.max * -offset);
         let around = Bounds { min: node.contour.min + a.min(b), max: node.contour.max + a.max(b) };

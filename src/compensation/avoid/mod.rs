@@ -30,7 +30,7 @@ use std::ops::Range;
 
 use glam::DVec2;
 
-use self::chains::{chains, lost_ends, remove_unreached};
+use self::chains::{Chain, chains, lost_ends, remove_unreached, whole_chains};
 use self::cuts::{Stretch, Survey};
 use self::dead_ends::remove_dead_ends;
 use self::sieve::{Clearance, Fate, sieve};
@@ -274,58 +274,34 @@ fn clear_jobs(
     let tolerance = options.usable_tolerance().max(finest);
     let options = &Options { tolerance, spline: SplineMethod::Exact, ..*options };
     let (mut work, nodes) = Workpiece::new(jobs, options);
-    let tree = OrderTree::new(nodes);
+    let mut tree = OrderTree::new(nodes);
+    if !work.corners.is_empty() {
+        // Whether there is a straight way round them will be asked.
+        tree.prepare();
+    }
     let loose = CLEAR_SHARE * tolerance;
     let slack = if whole.has_spline { loose } else { EXACT.max(finest).min(loose) };
     let slack = slack + work.gap.min(GAP_SHARE * tolerance);
     let least = radius - slack;
     let marks = tree.marks(&work.ranges, Limits { reach: radius + tolerance, least });
-    let mut fates = sieve(&work, &marks, &mut Clearance::new(&work, &tree, least), tolerance);
-    let finer = OFFSET_SHARE * tolerance;
-    if fates.contains(&Fate::Open) {
-        let sources = work.refine(finer, tolerance, &|piece| fates[piece] == Fate::Open);
-        let mut clearance = Clearance::new(&work, &tree, least);
-        let fate = |(piece, source): (usize, &Result<usize, usize>)| match *source {
-            // The one piece that there is still.
-            Ok(unit) if tree.unit(unit).fits && work.pieces_of(unit).len() == 1 => Fate::Open,
-            Ok(unit) => clearance.fate(&work.pieces[piece].curve, unit, 0.0),
-            Err(former) => fates[former],
-        };
-        fates = sources.iter().enumerate().map(fate).collect();
-    }
-    let mut clearance = Clearance::new(&work, &tree, least);
-    let survey =
-        Survey { work: &work, tree: &tree, marks: &marks, fates: &fates, radius, tolerance: finer };
-    let mut stretches = survey.clear_stretches(&mut clearance);
-    let short = DEAD_END * (radius * tolerance).sqrt();
-    let mut exact = Clearance::new(&work, &tree, radius - finest.max(ROUNDING));
-    let mut reaches = |stretch: &Stretch| {
-        fates[stretch.piece] == Fate::Clear || exact.fits_along(stretch, radius)
+    let fates = sieve(&work, &marks, &mut Clearance::new(&work, &tree, least), tolerance);
+    let whole_chains = whole_chains(&work, &fates);
+    let is_whole = whole_chains.is_some();
+    let Strung { stretches, chained, lost } = match whole_chains {
+        Some(chained) => Strung { stretches: Vec::new(), chained, lost: Vec::new() },
+        None => cut_out(&mut work, &tree, fates, Fit { radius, tolerance, slack, finest }, whole),
     };
-    remove_dead_ends(&work, &mut stretches, short, &mut reaches);
-    let mut bridges = Clearance::new(&work, &tree, radius - BRIDGE_SHARE * tolerance);
-    // Short enough for a few places to tell whether a bridge is clear.
-    let gap = short.min(0.25 * radius);
-    let mut chained = chains(&work, &stretches, gap, &mut bridges);
-    let stray = STRAY * tolerance;
-    if remove_unreached(&work, &mut stretches, &chained, stray, whole, &mut reaches) {
-        chained = chains(&work, &stretches, gap, &mut bridges);
-    }
-    let mut lost = Vec::new();
-    for chain in &chained {
-        lost.extend(lost_ends(&work, &stretches, chain, whole));
-    }
     let mut stitcher = Stitcher {
         work: &work,
         stretches: &stretches,
-        clearance,
+        clearance: Clearance::new(&work, &tree, least),
         options,
         builder: PathBuilder::default(),
         events: vec![0; jobs.len()],
     };
     stitcher.build(&chained);
     let mut path = stitcher.builder.path;
-    if !whole.tells_uncut {
+    if is_whole || !whole.tells_uncut {
         return (path, lost);
     }
     // The outline of a region need not be as fine as the path.
@@ -347,4 +323,72 @@ fn clear_jobs(
         );
     }
     (path, lost)
+}
+
+/// How a tool is to fit [mm].
+#[derive(Clone, Copy)]
+struct Fit {
+    radius: f64,
+    tolerance: f64,
+    /// How much too near counts as clear.
+    slack: f64,
+    /// What rounding may make of a distance.
+    finest: f64,
+}
+
+/// What the tool can follow.
+struct Strung {
+    stretches: Vec<Stretch>,
+    chained: Vec<Chain>,
+    /// Ends that got lost [mm].
+    lost: Vec<DVec2>,
+}
+
+/// Cuts what is too near out of the raw path, and strings the rest together.
+fn cut_out(
+    work: &mut Workpiece,
+    tree: &OrderTree,
+    mut fates: Vec<Fate>,
+    fit: Fit,
+    whole: &Whole,
+) -> Strung {
+    let Fit { radius, tolerance, slack, finest } = fit;
+    let least = radius - slack;
+    let finer = OFFSET_SHARE * tolerance;
+    if fates.contains(&Fate::Open) {
+        let sources = work.refine(finer, tolerance, &|piece| fates[piece] == Fate::Open);
+        let mut clearance = Clearance::new(work, tree, least);
+        let mut new = Vec::with_capacity(sources.len());
+        for (piece, source) in sources.into_iter().enumerate() {
+            new.push(match source {
+                // The one piece that there is still.
+                Ok(unit) if tree.unit(unit).fits && work.pieces_of(unit).len() == 1 => Fate::Open,
+                Ok(unit) => clearance.fate(&work.pieces[piece].curve, unit, 0.0),
+                Err(former) => fates[former],
+            });
+        }
+        fates = new;
+    }
+    let mut clearance = Clearance::new(work, tree, least);
+    let survey = Survey { work, tree, fates: &fates, radius, tolerance: finer };
+    let mut stretches = survey.clear_stretches(&mut clearance);
+    let short = DEAD_END * (radius * tolerance).sqrt();
+    let mut exact = Clearance::new(work, tree, radius - finest.max(ROUNDING));
+    let mut reaches = |stretch: &Stretch| {
+        fates[stretch.piece] == Fate::Clear || exact.fits_along(stretch, radius)
+    };
+    remove_dead_ends(work, &mut stretches, short, &mut reaches);
+    let mut bridges = Clearance::new(work, tree, radius - BRIDGE_SHARE * tolerance);
+    // Short enough for a few places to tell whether a bridge is clear.
+    let gap = short.min(0.25 * radius);
+    let mut chained = chains(work, &stretches, gap, &mut bridges);
+    let stray = STRAY * tolerance;
+    if remove_unreached(work, &mut stretches, &chained, stray, whole, &mut reaches) {
+        chained = chains(work, &stretches, gap, &mut bridges);
+    }
+    let mut lost = Vec::new();
+    for chain in &chained {
+        lost.extend(lost_ends(work, &stretches, chain, whole));
+    }
+    Strung { stretches, chained, lost }
 }

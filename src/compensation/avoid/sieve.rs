@@ -10,6 +10,7 @@ use super::cuts::Stretch;
 use super::octants::Octants;
 use super::tree::{Marks, OrderTree};
 use super::units::{Kind, Piece, Workpiece};
+use crate::compensation::offset::Tolerances;
 use crate::contour::MoveCurve;
 use crate::geometry::{Bounds, Cubic, direction};
 
@@ -233,15 +234,13 @@ fn side_by_chord(cubic: &Cubic, point: DVec2, distance: f64) -> Option<bool> {
     }
 }
 
-/// How near the offset of a span is made where it is going to be cut or dropped [mm].
-pub(super) fn rough(cubic: &Cubic, tolerance: f64) -> f64 {
-    if is_slender(cubic) { tolerance.max(ROUGH * cubic.hull_length()) } else { tolerance }
-}
-
-/// Whether a span is known to turn so little that the pieces between its cusps run back and are dropped,
-/// whatever they are.
-pub(super) fn is_slender(cubic: &Cubic) -> bool {
-    Octants::of_cubic(cubic).is_slender()
+/// How near the offset of a span that heads so is made where it is going to be cut or dropped.
+///
+/// Where it turns but little the pieces between its cusps run back and are dropped, whatever they are.
+pub(super) fn tolerances(octants: Octants, fitting: f64) -> Tolerances {
+    let [roughness, tight] =
+        if octants.is_slender() { [ROUGH, f64::INFINITY] } else { [0.0, fitting] };
+    Tolerances { fitting, roughness, tight }
 }
 
 /// The fate of a raw piece.
@@ -267,7 +266,7 @@ pub(super) fn sieve(
         // Beside cusps the pieces are rough.
         let rough = match work.curve(unit) {
             Some(MoveCurve::Cubic(cubic)) if !clearance.tree.unit(unit).fits => {
-                rough(&cubic, tolerance)
+                tolerances(Octants::of_cubic(&cubic), tolerance).beside_cusps(&cubic)
             }
             _ => 0.0,
         };
@@ -290,7 +289,7 @@ fn runs_back(work: &Workpiece, unit: usize, curve: &MoveCurve) -> bool {
     match (work.curve(unit), curve) {
         (Some(MoveCurve::Cubic(span)), MoveCurve::Cubic(piece)) => {
             let along = span.end() - span.start();
-            is_slender(&span) && (piece.end() - piece.start()).dot(along) < 0.0
+            Octants::of_cubic(&span).is_slender() && (piece.end() - piece.start()).dot(along) < 0.0
         }
         (Some(MoveCurve::Arc(arc)), MoveCurve::Arc(piece)) => {
             (arc.start() - arc.center()).dot(piece.start() - piece.center()) < 0.0

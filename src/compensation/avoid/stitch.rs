@@ -22,6 +22,7 @@ const EXAMINED: u32 = 16;
 /// Strings chains together.
 pub(super) struct Stitcher<'a> {
     pub(super) work: &'a Workpiece<'a>,
+    /// None where every piece is whole, and each a stretch.
     pub(super) stretches: &'a [Stretch],
     pub(super) clearance: Clearance<'a>,
     pub(super) options: &'a Options,
@@ -32,24 +33,27 @@ pub(super) struct Stitcher<'a> {
 
 impl Stitcher<'_> {
     pub(super) fn build(&mut self, chains: &[Chain]) {
-        self.builder.path.moves.reserve(self.stretches.len());
+        self.builder.path.moves.reserve(chains.iter().map(|chain| chain.stretches.len()).sum());
         let jobs = self.work.jobs;
-        let job_at = |k: usize| self.job(k);
-        let first = |chain: &Chain| job_at(chain.stretches[0]);
-        let last = |chain: &Chain| job_at(chain.stretches[chain.stretches.len() - 1]);
-        let starts: Vec<usize> = chains.iter().map(first).collect();
-        let ends: Vec<usize> = chains.iter().map(last).collect();
-        // Loops of a contour come before what its leads belong to: from where the lead-out goes, the
-        // program goes on.
-        let is_led = |k: usize| !chains[k].closed || self.has_end(&chains[k], starts[k]);
-        let rank = |k: usize| index(2 * starts[k] + usize::from(is_led(k)));
-        let mut order: Vec<(u32, usize)> = (0..chains.len()).map(|k| (rank(k), k)).collect();
+        // The contours that chains start and end on, in which order they come, and which are loops.
+        let mut jobs_of = Vec::with_capacity(chains.len());
+        let mut order = Vec::with_capacity(chains.len());
+        let mut looped = Vec::with_capacity(chains.len());
+        for (k, chain) in chains.iter().enumerate() {
+            let list = &chain.stretches;
+            let start = self.job(list[0]);
+            // Loops of a contour come before what its leads belong to: from where the lead-out goes, the
+            // program goes on.
+            let is_led = !chain.closed || self.has_end(chain, start);
+            jobs_of.push([start, self.job(list[list.len() - 1])]);
+            order.push((index(2 * start + usize::from(is_led)), k));
+            looped.push(!is_led);
+        }
         sort_pairs(&mut order);
-        let looped: Vec<bool> = (0..chains.len()).map(|k| !is_led(k)).collect();
-        let all_loops = |job| (0..chains.len()).all(|k| starts[k] != job || looped[k]);
+        let all_loops = |job| (0..chains.len()).all(|k| jobs_of[k][0] != job || looped[k]);
         let mut led = vec![false; jobs.len()];
         for (place, &(_, k)) in order.iter().enumerate() {
-            let (chain, job) = (&chains[k], starts[k]);
+            let (chain, [job, end]) = (&chains[k], jobs_of[k]);
             let leads_in = !led[job] && (!looped[k] || all_loops(job));
             if let Some(lead) = jobs[job].contour.lead_in().filter(|_| leads_in) {
                 let to = self.point(chain.stretches[0], false);
@@ -57,8 +61,8 @@ impl Stitcher<'_> {
             }
             led[job] |= leads_in;
             self.add(chain);
-            let is_last = !order[place + 1..].iter().any(|&(_, later)| ends[later] == ends[k]);
-            if let Some(lead) = jobs[ends[k]].contour.lead_out().filter(|_| is_last) {
+            let is_last = !order[place + 1..].iter().any(|&(_, later)| jobs_of[later][1] == end);
+            if let Some(lead) = jobs[end].contour.lead_out().filter(|_| is_last) {
                 let from = self.point(chain.stretches[chain.stretches.len() - 1], true);
                 self.lead(lead, from, lead.point, Role::LeadOut);
             }
@@ -72,7 +76,7 @@ impl Stitcher<'_> {
     fn has_end(&self, chain: &Chain, job: usize) -> bool {
         let pieces = self.work.pieces_of_range(self.work.ranges[job]);
         let [first, last] = [chain.stretches[0], chain.stretches[chain.stretches.len() - 1]]
-            .map(|k| &self.stretches[k]);
+            .map(|k| self.stretch(k));
         first.piece == pieces.start && first.from == 0.0
             || last.piece + 1 == pieces.end && last.to == 1.0
     }
@@ -87,8 +91,13 @@ impl Stitcher<'_> {
         self.builder.piece(curve, role, &lead.attributes, heights);
     }
 
+    #[inline(never)]
+    fn stretch(&self, k: usize) -> Stretch {
+        self.stretches.get(k).copied().unwrap_or(Stretch::whole(k))
+    }
+
     fn unit(&self, k: usize) -> usize {
-        self.work.pieces[self.stretches[k].piece].unit as usize
+        self.work.pieces[self.stretch(k).piece].unit as usize
     }
 
     fn job(&self, k: usize) -> usize {
@@ -97,7 +106,7 @@ impl Stitcher<'_> {
 
     /// Start or end of a stretch [mm].
     fn point(&self, k: usize, at_end: bool) -> DVec2 {
-        let stretch = &self.stretches[k];
+        let stretch = self.stretch(k);
         let t = if at_end { stretch.to } else { stretch.from };
         self.work.pieces[stretch.piece].curve.point(t)
     }
@@ -110,13 +119,13 @@ impl Stitcher<'_> {
         // Where the next move starts, if that is not where its piece does.
         let mut start = None;
         while k < list.len() {
-            let stretch = self.stretches[list[k]];
+            let stretch = self.stretch(list[k]);
             let unit = self.unit(list[k]);
             let before = if k > 0 { Some(list[k - 1]) } else { None };
             let mut to = stretch.to;
             k += 1;
             // Stretches of one piece that follow each other are one move.
-            while let Some(next) = list.get(k).map(|&next| &self.stretches[next])
+            while let Some(next) = list.get(k).map(|&next| self.stretch(next))
                 && next.piece == stretch.piece
                 && next.from == to
             {
@@ -197,7 +206,7 @@ impl Stitcher<'_> {
 
     /// Whether a stretch is the straight neighbour of a corner, whole at its side.
     fn is_beside(&self, k: usize, corner: usize) -> bool {
-        let stretch = &self.stretches[k];
+        let stretch = self.stretch(k);
         let unit = self.unit(k);
         let range = self.work.range_of(corner);
         let after = if corner + 1 < range.to { corner + 1 } else { range.from };
@@ -293,8 +302,8 @@ impl Stitcher<'_> {
 
     /// The inside corner between two stretches, if they are the moves beside one.
     fn report_shortened(&mut self, before: usize, after: usize) {
-        let next = self.work.pieces[self.stretches[before].piece].next as usize;
-        if next == self.stretches[after].piece {
+        let next = self.work.pieces[self.stretch(before).piece].next as usize;
+        if next == self.stretch(after).piece {
             return;
         }
         let (a, b) = (self.unit(before), self.unit(after));

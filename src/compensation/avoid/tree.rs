@@ -14,7 +14,7 @@
 //! to `r tan(φ/2) ≤ r sin φ` beyond it.
 
 use super::octants::Octants;
-use crate::geometry::{Bounds, BoxTree};
+use crate::geometry::{Bounds, BoxTree, TOLD_BY, is_tangled};
 
 /// Children of a node.
 const FAN: usize = 4;
@@ -70,8 +70,8 @@ pub(in crate::compensation) struct Range {
 pub(in crate::compensation) struct OrderTree {
     /// The units, then groups of four of them, and so on to the root.
     levels: Vec<Vec<Node>>,
-    /// The boxes around their parts of the contour.
-    contours: BoxTree,
+    /// The boxes around their parts of the contour, once they are to be asked for: mostly nothing is near.
+    contours: Option<BoxTree>,
 }
 
 /// What came out about the units.
@@ -83,18 +83,12 @@ pub(in crate::compensation) struct Marks {
 
 /// Its path may be too near to the contour.
 const SUSPECT: u8 = 1;
-/// Its contour may be too near to the path.
-const WALL: u8 = 2;
 /// Its path is too near everywhere.
-const GOUGED: u8 = 4;
+const GOUGED: u8 = 2;
 
 impl Marks {
     pub(in crate::compensation) fn is_suspect(&self, unit: usize) -> bool {
         self.levels[0][unit] & SUSPECT != 0
-    }
-
-    pub(super) fn is_wall(&self, unit: usize) -> bool {
-        self.levels[0][unit] & WALL != 0
     }
 
     pub(super) fn is_gouged(&self, unit: usize) -> bool {
@@ -136,10 +130,6 @@ pub(in crate::compensation) struct Limits {
 
 impl OrderTree {
     pub(in crate::compensation) fn new(units: Vec<Node>) -> Self {
-        let mut boxes = Vec::with_capacity(units.len());
-        for unit in &units {
-            boxes.push(unit.contour);
-        }
         let mut levels = vec![units];
         while let Some(below) = levels.last()
             && below.len() > 1
@@ -147,24 +137,45 @@ impl OrderTree {
             let level = below.chunks(FAN).map(around).collect();
             levels.push(level);
         }
-        Self { levels, contours: BoxTree::new(boxes) }
+        Self { levels, contours: None }
+    }
+
+    /// Gets ready to tell what is near: asked before, it tells of nothing. It is once something is suspect.
+    pub(super) fn prepare(&mut self) {
+        if self.contours.is_none() {
+            self.contours = Some(BoxTree::new(contours(&self.levels[0])));
+        }
+    }
+
+    /// Whether the contour lies over itself so often that its order tells little of what is near.
+    fn is_tangled(&self) -> bool {
+        let around = &self.levels[self.levels.len() - 1][0].contour;
+        self.levels.get(TOLD_BY).is_some_and(|level| is_tangled(&contours(level), around))
     }
 
     pub(in crate::compensation) fn unit(&self, unit: usize) -> &Node {
         &self.levels[0][unit]
     }
 
-    /// Finds which paths may be too near to which parts of the contour: both are marked.
-    pub(in crate::compensation) fn marks(&self, ranges: &[Range], limits: Limits) -> Marks {
+    /// Finds which paths may be too near to the contour.
+    pub(in crate::compensation) fn marks(&mut self, ranges: &[Range], limits: Limits) -> Marks {
+        let is_tangled = self.is_tangled();
+        if is_tangled {
+            self.prepare();
+        }
         let marks =
             Marks { levels: self.levels.iter().map(|level| vec![0; level.len()]).collect() };
         let mut join = Join { tree: self, ranges, limits, marks };
-        if self.contours.is_sorted() {
+        if is_tangled {
             join.one_by_one();
         } else {
-            join.within(self.levels.len() - 1, 0);
+            join.within(join.tree.levels.len() - 1, 0);
         }
-        join.marks
+        let marks = join.marks;
+        if marks.levels[0].iter().any(|mark| mark & SUSPECT != 0) {
+            self.prepare();
+        }
+        marks
     }
 
     /// Calls `visit` with every unit whose contour's box is nearer to `bounds` than `distance` [mm],
@@ -177,9 +188,10 @@ impl OrderTree {
     ) -> bool {
         let is_far = |unit| self.unit(unit).contour.gap_squared(bounds) >= distance * distance;
         distance <= 0.0
-            || self
-                .contours
-                .meeting(&bounds.inflated(distance), &mut |unit| is_far(unit) || visit(unit))
+            || self.contours.as_ref().is_none_or(|contours| {
+                contours
+                    .meeting(&bounds.inflated(distance), &mut |unit| is_far(unit) || visit(unit))
+            })
     }
 
     /// Where the contour heads along a stretch of units, if all of them fit.
@@ -209,27 +221,36 @@ impl OrderTree {
         most: usize,
     ) -> [usize; 2] {
         let units = &self.levels[0];
-        let mut all = units[unit];
-        let (mut from, mut to) = (unit, unit + 1);
-        if !all.fits {
+        if !units[unit].fits {
             return [unit, unit];
         }
-        while to < range.to && to - unit < most {
-            let wider = all.union(&units[to]);
-            if !wider.is_tame() {
-                break;
+        let mut octants = units[unit].octants;
+        let mut goes_on = |next: usize| {
+            let wider = octants.union(units[next].octants);
+            let is_tame = units[next].fits && wider.is_narrow();
+            if is_tame {
+                octants = wider;
             }
-            (all, to) = (wider, to + 1);
+            is_tame
+        };
+        let (mut from, mut to) = (unit, unit + 1);
+        while to < range.to && to - unit < most && goes_on(to) {
+            to += 1;
         }
-        while from > range.from && unit - from < most {
-            let wider = all.union(&units[from - 1]);
-            if !wider.is_tame() {
-                break;
-            }
-            (all, from) = (wider, from - 1);
+        while from > range.from && unit - from < most && goes_on(from - 1) {
+            from -= 1;
         }
         [from, to]
     }
+}
+
+/// The boxes around the parts of the contour of some nodes.
+fn contours(nodes: &[Node]) -> Vec<Bounds> {
+    let mut boxes = Vec::with_capacity(nodes.len());
+    for node in nodes {
+        boxes.push(node.contour);
+    }
+    boxes
 }
 
 fn around(nodes: &[Node]) -> Node {
@@ -247,8 +268,7 @@ struct Join<'a> {
 
 impl Join<'_> {
     /// Where the contour lies over itself time and again nearly all pairs would be looked at. So each
-    /// path is held against what is near it until something may be too near, and all of the contour
-    /// counts as wall.
+    /// path is held against what is near it until something may be too near.
     fn one_by_one(&mut self) {
         let tree = self.tree;
         for (unit, node) in tree.levels[0].iter().enumerate() {
@@ -256,7 +276,7 @@ impl Join<'_> {
                 && tree.near(&node.path, self.limits.reach, &mut |other| {
                     other == unit || self.is_tame_between(unit.min(other), unit.max(other))
                 });
-            self.marks.levels[0][unit] = if is_clear { WALL } else { WALL | SUSPECT };
+            self.marks.levels[0][unit] = if is_clear { 0 } else { SUSPECT };
         }
     }
 
@@ -268,7 +288,7 @@ impl Join<'_> {
         }
         if level == 0 {
             if !node.fits {
-                self.marks.levels[0][index] |= SUSPECT | WALL;
+                self.marks.levels[0][index] |= SUSPECT;
             }
             return;
         }
@@ -276,10 +296,20 @@ impl Join<'_> {
         for child in FAN * index..end {
             self.within(level - 1, child);
             for other in child + 1..end {
-                self.pair(level - 1, child, other, [true, true]);
+                self.pair_if_news(level - 1, child, other, [true, true]);
             }
         }
         self.marks.refresh(level, index);
+    }
+
+    /// The same as `pair`, unless all that is open there is known to be suspect.
+    fn pair_if_news(&mut self, level: usize, a: usize, b: usize, mut open: [bool; 2]) {
+        let marks = &self.marks.levels[level];
+        open[0] &= marks[a] & SUSPECT == 0;
+        open[1] &= marks[b] & SUSPECT == 0;
+        if open[0] || open[1] {
+            self.pair(level, a, b, open);
+        }
     }
 
     /// Pairs of one unit below each of two nodes, `a` before `b`; `open` tells whether the path of
@@ -287,8 +317,8 @@ impl Join<'_> {
     fn pair(&mut self, level: usize, a: usize, b: usize, mut open: [bool; 2]) {
         let nodes = &self.tree.levels[level];
         let (node_a, node_b) = (&nodes[a], &nodes[b]);
-        open[0] = open[0] && self.is_open(level, [a, b], node_a, node_b);
-        open[1] = open[1] && self.is_open(level, [b, a], node_b, node_a);
+        open[0] = open[0] && self.is_open(level, a, node_a, node_b);
+        open[1] = open[1] && self.is_open(level, b, node_b, node_a);
         if !open[0] && !open[1] || self.is_tame_pair(level, a, b) {
             return;
         }
@@ -296,10 +326,9 @@ impl Join<'_> {
             if self.is_tame_between(a, b) {
                 return;
             }
-            for (open, [path, contour]) in open.into_iter().zip([[a, b], [b, a]]) {
+            for (open, path) in open.into_iter().zip([a, b]) {
                 if open {
                     self.marks.levels[0][path] |= SUSPECT;
-                    self.marks.levels[0][contour] |= WALL;
                 }
             }
             return;
@@ -307,26 +336,22 @@ impl Join<'_> {
         let below = self.tree.levels[level - 1].len();
         for child in FAN * a..below.min(FAN * (a + 1)) {
             for other in FAN * b..below.min(FAN * (b + 1)) {
-                self.pair(level - 1, child, other, open);
+                self.pair_if_news(level - 1, child, other, open);
             }
         }
         self.marks.refresh(level, a);
         self.marks.refresh(level, b);
     }
 
-    /// Whether the path of a node can be too near to the contour of another, and that is news.
-    fn is_open(&mut self, level: usize, [p, c]: [usize; 2], path: &Node, contour: &Node) -> bool {
-        let (on_path, on_contour) = (self.marks.levels[level][p], self.marks.levels[level][c]);
-        if on_path & GOUGED != 0 || on_path & SUSPECT != 0 && on_contour & WALL != 0 {
-            return false;
-        }
+    /// Whether the path of a node can be too near to the contour of another; not where it surely is.
+    fn is_open(&mut self, level: usize, index: usize, path: &Node, contour: &Node) -> bool {
         let (path, contour) = (&path.path, &contour.contour);
         if path.gap_squared(contour) >= self.limits.reach * self.limits.reach {
             return false;
         }
         let least = self.limits.least;
         if least > 0.0 && path.span_squared(contour) < least * least {
-            self.marks.all(level, p, GOUGED | SUSPECT);
+            self.marks.all(level, index, GOUGED | SUSPECT);
             return false;
         }
         true

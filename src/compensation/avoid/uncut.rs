@@ -39,8 +39,10 @@ pub(super) fn uncut(
     tolerance: f64,
 ) -> Vec<Uncut> {
     let gaps = gaps(work, stretches);
-    let mut by_start: Vec<(u32, usize)> =
-        gaps.iter().enumerate().map(|(k, gap)| (gap.places[0], k)).collect();
+    let mut by_start = Vec::with_capacity(gaps.len());
+    for (k, gap) in gaps.iter().enumerate() {
+        by_start.push((gap.places[0], k));
+    }
     sort_pairs(&mut by_start);
     let mut used = vec![false; gaps.len()];
     let mut regions = Vec::new();
@@ -50,17 +52,19 @@ pub(super) fn uncut(
         }
         let mut region = Region::default();
         let mut current = first;
+        let begins = foot(work, &gaps[first], 0);
+        let mut start = begins;
         let closed = loop {
             used[current] = true;
             let gap = &gaps[current];
-            let end = follow(work, gap, tolerance, &mut region);
+            let end = follow(work, gap, start, tolerance, &mut region);
             let from = by_start.partition_point(|&(place, _)| place < gap.places[1]);
             let mut here = by_start[from..].iter().take_while(|(at, _)| *at == gap.places[1]);
             let Some(&(_, next)) = here.find(|&&(_, k)| !used[k] || k == first) else {
                 break false;
             };
-            let ahead = foot(work, &gaps[next], 0).1;
-            along_tool(gap.centers[1], end, ahead, tool, tolerance, &mut region.outline);
+            start = if next == first { begins } else { foot(work, &gaps[next], 0) };
+            along_tool(gap.centers[1], end, start.1, tool, tolerance, &mut region.outline);
             if next == first {
                 break true;
             }
@@ -118,11 +122,15 @@ impl Region {
             return None;
         }
         sort_pairs(&mut self.segments);
-        self.segments.dedup();
-        let origin = |(job, segment): (u32, usize)| {
-            work.jobs[job as usize].contour.segments()[segment].attributes.origin
-        };
-        let segments = self.segments.into_iter().map(origin).collect();
+        let mut segments = Vec::new();
+        let mut last = None;
+        for &(job, segment) in &self.segments {
+            if last != Some((job, segment)) {
+                last = Some((job, segment));
+                let segments_of = work.jobs[job as usize].contour.segments();
+                segments.push(segments_of[segment].attributes.origin);
+            }
+        }
         Some(Uncut { outline: self.outline, area, segments })
     }
 }
@@ -163,9 +171,15 @@ fn foot(work: &Workpiece, gap: &Gap, end: usize) -> (f64, DVec2) {
     })
 }
 
-/// Appends the contour along a gap; returns the foot at its end.
-fn follow(work: &Workpiece, gap: &Gap, tolerance: f64, region: &mut Region) -> DVec2 {
-    let [(from, start), (to, end)] = [foot(work, gap, 0), foot(work, gap, 1)];
+/// Appends the contour along a gap from the foot at its start; returns the one at its end.
+fn follow(
+    work: &Workpiece,
+    gap: &Gap,
+    (from, start): (f64, DVec2),
+    tolerance: f64,
+    region: &mut Region,
+) -> DVec2 {
+    let (to, end) = foot(work, gap, 1);
     let [first, last] = gap.units;
     let range = work.range_of(first);
     let mut unit = first;

@@ -8,7 +8,7 @@ use glam::DVec2;
 
 use super::octants::Octants;
 use super::points::{SHORTEST, ends, shaping, shaping_spans};
-use super::sieve::{is_slender, rough};
+use super::sieve::tolerances;
 use super::tree::{Node, Range};
 use crate::compensation::corner::classify_sharply;
 use crate::compensation::offset::{
@@ -109,8 +109,12 @@ pub(super) struct Workpiece<'a> {
 impl<'a> Workpiece<'a> {
     /// The raw paths along `jobs`, and what the tree is to know of each unit.
     pub(super) fn new(jobs: &'a [Job<'a>], options: &Options) -> (Self, Vec<Node>) {
-        let spans = |job: &Job| job.contour.segments().iter().map(spans_of).sum::<usize>();
-        let count = jobs.iter().map(spans).sum();
+        // A corner behind each segment, and what parts contours.
+        let units = |job: &Job| {
+            let segments = job.contour.segments();
+            segments.iter().map(spans_of).sum::<usize>() + segments.len() + 2
+        };
+        let count = jobs.iter().map(units).sum();
         let work = Self {
             jobs,
             units: Vec::with_capacity(count),
@@ -183,8 +187,10 @@ impl<'a> Workpiece<'a> {
                     last.kind == Kind::Segment && last.segment == this.segment
                 };
                 scratch.clear();
-                let tight = if is_slender(&cubic) { f64::INFINITY } else { tolerance };
-                let tolerances = Tolerances { tight, ..Tolerances::even(tolerance) };
+                let tolerances = Tolerances {
+                    roughness: 0.0,
+                    ..tolerances(Octants::of_cubic(&cubic), tolerance)
+                };
                 let before = before.filter(|_| inside);
                 offset_span_roughly(&cubic, offset, tolerances, before, &mut scratch);
                 for &curve in &scratch {
@@ -381,16 +387,14 @@ impl Maker<'_> {
                 for span in spans {
                     let cubic = &spline.pieces()[span];
                     scratch.clear();
-                    let coarse = rough(cubic, fitting);
-                    let tight = if is_slender(cubic) { f64::INFINITY } else { fitting };
-                    let tolerances = Tolerances { fitting, beside_cusps: coarse, tight };
+                    let octants = Octants::of_cubic(cubic);
+                    let tolerances = tolerances(octants, fitting);
                     let fits = offset_span_roughly(cubic, offset, tolerances, before, &mut scratch);
                     before = scratch.last().map_or(before, |last| Some(last.end()));
                     let mut path = self.pieces(&scratch);
                     if !fits {
-                        path = path.inflated(coarse);
+                        path = path.inflated(tolerances.beside_cusps(cubic));
                     }
-                    let octants = Octants::of_cubic(cubic);
                     let fits = fits && octants.is_narrow();
                     let contour = cubic.hull_bounds();
                     self.add(

@@ -89,8 +89,8 @@ pub(super) enum Fit {
 pub(in crate::compensation) struct Tolerances {
     /// Along spans that the tool fits all along.
     pub(in crate::compensation) fitting: f64,
-    /// Where it fits on other spans.
-    pub(in crate::compensation) beside_cusps: f64,
+    /// Where it fits on other spans, as a part of their length where that is more.
+    pub(in crate::compensation) roughness: f64,
     /// Where it does not fit; infinite where any piece will do.
     pub(in crate::compensation) tight: f64,
 }
@@ -98,7 +98,12 @@ pub(in crate::compensation) struct Tolerances {
 impl Tolerances {
     /// The same everywhere.
     pub(in crate::compensation) fn even(tolerance: f64) -> Self {
-        Self { fitting: tolerance, beside_cusps: tolerance, tight: tolerance }
+        Self { fitting: tolerance, roughness: 0.0, tight: tolerance }
+    }
+
+    /// Where the tool fits on a span along which it does not fit all along [mm].
+    pub(in crate::compensation) fn beside_cusps(&self, cubic: &Cubic) -> f64 {
+        self.fitting.max(self.roughness * cubic.hull_length())
     }
 }
 
@@ -113,7 +118,7 @@ pub(in crate::compensation) fn offset_span_roughly(
     let from = pieces.len();
     let mut emit = |_: &Source, _, piece| pieces.push(piece);
     let fit = each_piece(cubic, offset, tolerances, before, &mut |_, _| {}, &mut emit);
-    if fit == Fit::Barely && tolerances.beside_cusps > tolerances.fitting {
+    if fit == Fit::Barely && tolerances.beside_cusps(cubic) > tolerances.fitting {
         // There are no cusps after all.
         pieces.truncate(from);
         return offset_span(cubic, offset, tolerances.fitting, before, pieces, &mut |_, _| {});
@@ -153,13 +158,14 @@ pub(super) fn each_piece(
         append(&whole, [0.0, 1.0], true, tolerances.fitting);
         return Fit::Clearly;
     }
+    let beside_cusps = tolerances.beside_cusps(cubic);
     let mut all_fit = true;
     each_stretch(cubic, offset, &mut |source, from, to, fits| {
         if !fits {
             all_fit = false;
             tight(from, to);
         }
-        let tolerance = if fits { tolerances.beside_cusps } else { tolerances.tight };
+        let tolerance = if fits { beside_cusps } else { tolerances.tight };
         append(source, [from, to], fits, tolerance);
     });
     if all_fit { Fit::Barely } else { Fit::No }
