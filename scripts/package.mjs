@@ -131,6 +131,9 @@ async function bindgen(compiled, folder) {
   // The reset function lets init() start afresh after the instance has trapped.
   await run(xtask, [
     ...["bindgen", "--target", "web", "--experimental-reset-state-function"],
+    // A place that the glue names itself is carried along by bundlers, also for the entries that
+    // load another file or none.
+    "--omit-default-module-path",
     ...["--out-name", "g41", "--out-dir", folder, compiled],
   ]);
   const wasm = join(folder, "g41_bg.wasm");

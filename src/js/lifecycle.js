@@ -41,17 +41,35 @@ export function initialiser(load) {
     if (state === "ready") {
       return Promise.resolve();
     }
-    loading ??= load(source);
+    try {
+      loading ??= load(source);
+    } catch (cause) {
+      throw notLoaded(cause);
+    }
     if (!(loading instanceof Promise)) {
       begin(loading);
       return Promise.resolve();
     }
-    return loading.then(begin, (error) => {
+    return loading.then(begin, (cause) => {
       // A failed download may be tried again.
       loading = undefined;
-      throw error;
+      throw notLoaded(cause);
     });
   };
+}
+
+/**
+ * Tells what to do, since most often a bundler has left the file behind, and what is found in its place
+ * is a page or nothing.
+ *
+ * @param {unknown} cause
+ */
+function notLoaded(cause) {
+  const reason = cause instanceof Error ? cause.message : String(cause);
+  const advice = 'import "g41/inline" where a bundler leaves it behind, or give init its address';
+  return coded("not-loaded", `the WebAssembly of g41 was not loaded (${reason}): ${advice}`, {
+    cause,
+  });
 }
 
 /** @param {any} exported by the WebAssembly */

@@ -1,5 +1,6 @@
 // The packed package works in an empty project of every kind that it is made for.
 import assert from "node:assert/strict";
+import { readdirSync } from "node:fs";
 import { join } from "node:path";
 import { test } from "node:test";
 
@@ -9,9 +10,14 @@ import { answer, packed, page, program, runNode, shownBy } from "./consumer.mjs"
 const project = packed();
 const show = `document.querySelector("output").textContent = answer;`;
 
-const files = { g41: "web.js", "g41/inline": "inline.js", "g41/contour": "contour.js" };
+/** Of each entry its file, and the WebAssembly that is carried along beside it. */
+const entries = {
+  g41: { file: "web.js", wasm: ["g41_bg"] },
+  "g41/inline": { file: "inline.js", wasm: [] },
+  "g41/contour": { file: "contour.js", wasm: ["g41_contour_bg"] },
+};
 
-for (const [entry, file] of Object.entries(files)) {
+for (const [entry, { file, wasm }] of Object.entries(entries)) {
   const imports = `import init, { compensate } from "${entry}";`;
 
   test(`${entry} is imported by Node`, async () => {
@@ -34,6 +40,9 @@ for (const [entry, file] of Object.entries(files)) {
     });
     await runNode(home, script("vite"), "build", "--logLevel", "warn");
     assert.equal(await shownBy(join(home, "dist")), answer);
+    const carried = readdirSync(join(home, "dist/assets")).filter((name) => name.endsWith(".wasm"));
+    const names = carried.map((name) => name.replace(/-.*/, ""));
+    assert.deepEqual(names, wasm, "what is built carries the WebAssembly that it loads alone");
   });
 
   test(`${entry} is imported by a browser through an import map`, async () => {

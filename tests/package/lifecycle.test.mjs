@@ -34,11 +34,23 @@ test("in Node the package is ready when it is imported, and init() does nothing"
 test("a load that failed may be tried again", async () => {
   await runs(`
     import init, { version } from "g41/web";
-    await assert.rejects(init(new Uint8Array([1, 2, 3])));
+    const isTold = ({ name, code, message, cause }) =>
+      name === "Error" &&
+      code === "not-loaded" &&
+      message.includes("g41/inline") &&
+      cause instanceof Error;
+    await assert.rejects(init(new Uint8Array([1, 2, 3])), isTold);
     assert.throws(() => version(), { code: "not-initialised" });
     const { readFileSync } = await import("node:fs");
     await init(readFileSync(new URL(import.meta.resolve("g41/g41_bg.wasm"))));
     assert.ok(version());`);
+});
+
+test("in Node a file that was left behind is told of", async () => {
+  await runs(`
+    import { rmSync } from "node:fs";
+    rmSync("./node_modules/g41/dist/g41_bg.wasm");
+    await assert.rejects(import("g41"), { code: "not-loaded", message: /ENOENT.*g41.inline/ });`);
 });
 
 test("after a trap the next call says so, and init() starts afresh", async () => {

@@ -8,6 +8,7 @@
  *
  * @param source where the `.wasm` file is (an address or a `Response`) or what it is (its bytes or
  *   a `WebAssembly.Module`); by default it is found beside the package
+ * @throws {G41Error} `"not-loaded"`
  */
 export default function init(source?: string | object): Promise<void>;
 
@@ -18,6 +19,7 @@ export default function init(source?: string | object): Promise<void>;
 export interface G41Error extends Error {
   /**
    * - `"not-initialised"`: `await init()` was not called yet
+   * - `"not-loaded"`: `init()` did not find the `.wasm` file, or found something else; see `cause`
    * - `"bad-argument"`: an argument has the wrong shape, is not finite, or is unknown; see `path`
    * - `"not-supported"`: what "g41/contour" leaves out, or `Path2D` where there is none
    * - `"several-pieces"`: `polyline` of a path that is not in one piece; use `polylines`
@@ -27,6 +29,7 @@ export interface G41Error extends Error {
    */
   code:
     | "not-initialised"
+    | "not-loaded"
     | "bad-argument"
     | "not-supported"
     | "several-pieces"
