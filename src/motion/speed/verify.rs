@@ -10,14 +10,20 @@ use super::retime::Bounds;
 use crate::geometry::nth_root;
 use crate::motion::Limits;
 
-/// Places per phase.
+/// Places per phase: the fewest and the most.
 const PLACES: usize = 4;
+const MOST: usize = 64;
 
 /// Part of the change of jerk in a period that is left to what lies between the places.
 pub(super) const BETWEEN: f64 = 0.95;
 
 /// What of a limit is well within it: as much as is left to peaks between the places.
-const HOLDS: f64 = 0.9986;
+const HOLDS: f64 = 0.9996;
+
+/// From what part of a limit on a top between places is looked for, and which places have a kink between
+/// them, as a part of the distance to the next one.
+const HIGH: f64 = 0.97;
+const NEAR: f64 = 0.01;
 
 /// Halvings of a step that find the border of two pieces.
 const HALVINGS: u32 = 12;
@@ -50,6 +56,8 @@ pub(super) fn verify(
     let mut places = Vec::with_capacity(2 * PLACES);
     let mut first = range.start;
     let mut back = 0.0;
+    // The last two places: when, acceleration and jerk over their limits, and in which phase.
+    let mut seen = [(0.0, [0.0; 2], first); 2];
     while first > 0 && back < 1.5 * limits.period {
         first -= 1;
         back += law[first].duration;
@@ -57,17 +65,30 @@ pub(super) fn verify(
     for k in first..range.end {
         let phase = &law[k];
         let mut worst = [0.0_f64; 4];
-        times(course, phase, at, &mut places);
+        times(course, phase, limits.period, at, &mut places);
         for time in places.iter().copied() {
             let [s, v, a, j] = phase.at(time);
             let frame = course.frame(s, &mut at);
             let acceleration = frame.tangent * a + frame.curvature * (v * v);
             let jerk =
                 frame.tangent * j + frame.curvature * (3.0 * v * a) + frame.sharpness * (v * v * v);
+            let mut sizes = [0.0_f64; 2];
             for (scale, ratio) in &bounds.scales {
-                raise(&mut worst[0], (acceleration * *scale).length());
-                raise(&mut worst[1], ((jerk * *scale).length_squared() * ratio).sqrt());
+                raise(&mut sizes[0], (acceleration * *scale).length());
+                raise(&mut sizes[1], ((jerk * *scale).length_squared() * ratio).sqrt());
             }
+            let here = (start + time, sizes, k);
+            for (index, size) in sizes.iter().enumerate() {
+                raise(&mut worst[index], *size);
+                let top = top([seen[0], seen[1], here].map(|(t, sizes, _)| [t, sizes[index]]));
+                let phase = seen[1].2;
+                if phase == k {
+                    raise(&mut worst[index], top);
+                } else if phase >= range.start {
+                    raise(&mut excess[phase][index], top);
+                }
+            }
+            seen = [seen[1], here];
             let (cap, _) = course.between(s, s, at, limits);
             let mut over = v * frame.tangent.length() / cap;
             if let Some(axes) = &limits.axes {
@@ -108,6 +129,22 @@ pub(super) fn verify(
     }
 }
 
+/// The top of the parabola through three places with values where it is between them; 0 where it is not,
+/// or where two are on either side of a kink.
+fn top([before, here, after]: [[f64; 2]; 3]) -> f64 {
+    let (back, on) = (here[0] - before[0], after[0] - here[0]);
+    if here[1] < HIGH || back < NEAR * on || on < NEAR * back {
+        return 0.0;
+    }
+    let (rise, fall) = ((here[1] - before[1]) / back, (here[1] - after[1]) / on);
+    let bend = (rise + fall) / (back + on);
+    let slope = (rise * on - fall * back) / (back + on);
+    if slope > 2.0 * bend * on || slope < -2.0 * bend * back {
+        return 0.0;
+    }
+    here[1] + slope * slope / (4.0 * bend).max(1.0e-300)
+}
+
 /// Makes a value at least another one.
 fn raise(value: &mut f64, other: f64) {
     if other > *value {
@@ -115,29 +152,31 @@ fn raise(value: &mut f64, other: f64) {
     }
 }
 
-/// Where a phase is looked at: at even steps, and where it comes to other pieces, as jerk has a kink
-/// there.
-fn times(course: &Course, phase: &Phase, mut at: usize, times: &mut Vec<f64>) {
+/// Where a phase is looked at: at even steps, of which a period has some, and on either side of where
+/// it comes to other pieces, as jerk has a kink there.
+fn times(course: &Course, phase: &Phase, period: f64, mut at: usize, times: &mut Vec<f64>) {
     times.clear();
+    let mut count = PLACES;
+    while count < MOST && phase.duration > 0.5 * period * count as f64 {
+        count *= 2;
+    }
+    let step = phase.duration / count as f64;
     course.find(phase.at(0.0)[0], &mut at);
     let mut end = at;
     course.find(phase.at(phase.duration)[0], &mut end);
-    let step = phase.duration / PLACES as f64;
-    for place in 0..PLACES {
-        let time = step * place as f64;
+    for place in 0..count {
+        let (time, to) = (step * place as f64, step * (place + 1) as f64);
         times.push(time);
-        if at == end {
-            continue;
-        }
-        let before = at;
-        course.find(phase.at(time + step)[0], &mut at);
-        if at > before {
-            let (border, mut from, mut to) = (course.start(at), time, time + step);
+        let mut from = time;
+        while at < end && course.start(at + 1) <= phase.at(to)[0] {
+            at += 1;
+            let mut on = to;
             for _ in 0..HALVINGS {
-                let middle = 0.5 * (from + to);
-                if phase.at(middle)[0] < border { from = middle } else { to = middle }
+                let middle = f64::midpoint(from, on);
+                if phase.at(middle)[0] < course.start(at) { from = middle } else { on = middle }
             }
-            times.push(to);
+            times.extend([from, on]);
+            from = on;
         }
     }
 }
