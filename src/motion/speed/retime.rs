@@ -276,7 +276,7 @@ impl<'a> Retiming<'a> {
         self.evaluate(c, &self.reach(&free), found);
         if start > end {
             for i in self.sweep(c, found, &free, [start, end], &mut work) {
-                moving[i.saturating_sub(free.start) / half] = true;
+                moving[(i - free.start) / half] = true;
             }
         }
         for round in 0..rounds {
@@ -340,10 +340,12 @@ impl<'a> Retiming<'a> {
                 marked.push(i);
             }
         }
-        let count = self.count();
-        for (index, limit) in found.limits.iter().enumerate() {
-            if limit.value > 1.0 + BROKEN {
-                marked.push(index / (2 * count));
+        let count = 2 * self.count();
+        for i in free.clone() {
+            let limits = i * count..((i + 1) * count).min(found.limits.len());
+            let broken = |limit: &Limit| limit.value > 1.0 + BROKEN;
+            if found.limits.get(limits).is_some_and(|limits| limits.iter().any(broken)) {
+                marked.push(i);
             }
         }
         marked

@@ -38,6 +38,11 @@ const DIP: f64 = 3.0;
 /// How soon behind a head the law may be another, in the time that jerk needs to reach its limit.
 const LOOSE: f64 = 10.0;
 
+/// From what limits behind a head are exceeded by on the law is sought there once more, and what part
+/// of the time of the head is then given back to the law that was given.
+const ASTRAY: f64 = 1.1;
+const BACK: f64 = 0.15;
+
 /// How much more is taken than what it exceeds.
 const DEEPER: f64 = 1.3;
 
@@ -86,15 +91,15 @@ fn planned(course: &Course, limits: &Limits, head: &[Phase]) -> Option<(Vec<Phas
     let (at, span) = reference(course, limits, 2.0 * step, head)?;
     let borders = (0..at.len() - 3).map(|k| span * k as f64).collect();
     let mut first = Stage::new(course, limits, &bounds, &at, span, borders);
-    first.is_head = is_head;
-    first.improve([0.3, 1.0e-2], 0.0, 0);
+    first.head = length(head);
+    first.improve([0.3, 1.0e-2], 0);
     if !length(&first.law).is_finite() {
         return Some((first.law, f64::INFINITY));
     }
     let (at, span, borders) = resample(&first.law, course, step, is_head);
     let mut stage = Stage::new(course, limits, &bounds, &at, span, borders);
-    stage.is_head = is_head;
-    let found = stage.improve([0.3, 1.0e-3], 0.0, 12);
+    stage.head = length(head);
+    let found = stage.improve([0.3, 1.0e-3], 12);
     let factor = stage.repair(found);
     Some((stage.law, factor))
 }
@@ -142,8 +147,9 @@ struct Stage<'a> {
     c: Vec<f64>,
     /// The law that comes of it.
     law: Vec<Phase>,
-    /// Whether it begins on the move, in a state that is kept.
-    is_head: bool,
+    /// How long the law before it would have gone on [s], whose state at the start is kept; 0 where it
+    /// begins otherwise.
+    head: f64,
 }
 
 impl<'a> Stage<'a> {
@@ -174,45 +180,85 @@ impl<'a> Stage<'a> {
             bases,
             c,
             law: Vec::new(),
-            is_head: false,
+            head: 0.0,
         }
+    }
+
+    fn is_head(&self) -> bool {
+        self.head > 0.0
     }
 
     /// The first coefficient that is free: three before it keep the state at the start.
     fn first(&self) -> usize {
-        if self.is_head { 3 } else { 0 }
+        if self.is_head() { 3 } else { 0 }
     }
 
     /// How freely a coefficient may change, from 0 to 1: behind a head more and more.
     fn free(&self, i: usize) -> f64 {
-        if !self.is_head {
+        if !self.is_head() {
             return 1.0;
         }
-        let border = self.borders[i.saturating_sub(3).min(self.borders.len() - 1)];
-        let x = (border / (LOOSE * self.limits.jerk / self.limits.snap())).min(1.0);
-        x * x * (3.0 - 2.0 * x)
+        smooth(self.place(i) / (LOOSE * self.limits.jerk / self.limits.snap()))
+    }
+
+    /// Where a coefficient begins to act on what is behind the first three [s].
+    fn place(&self, i: usize) -> f64 {
+        self.borders[i.saturating_sub(3).min(self.borders.len() - 1)]
     }
 
     fn retiming(&self) -> Retiming<'_> {
-        Retiming::new(&self.knots, self.bounds, &self.bases, [!self.is_head, true])
+        Retiming::new(&self.knots, self.bounds, &self.bases, [!self.is_head(), true])
     }
 
     /// Makes all of the law faster; returns what is then known at its knots.
-    fn improve(&mut self, weights: [f64; 2], least: f64, rounds: usize) -> Found {
+    fn improve(&mut self, weights: [f64; 2], rounds: usize) -> Found {
         let mut c = std::mem::take(&mut self.c);
         let retiming = self.retiming();
         // Slowed down evenly, so that most limits hold at the knots.
-        let even = (0.97 * retiming.even(&c)).max(least);
+        let even = 0.97 * retiming.even(&c);
         for (i, one) in c.iter_mut().enumerate() {
             *one *= 1.0 + (even - 1.0) * self.free(i);
         }
         let all = self.first()..c.len();
         let mut found = retiming.begin();
         retiming.improve(&mut c, &mut found, all, weights, rounds);
+        if self.is_head() && rounds > 0 {
+            self.begin_again(&retiming, &mut c, &mut found, weights, rounds);
+        }
         self.c = c;
         self.law.clear();
         self.phases(0..self.knots.len() - 1);
         found
+    }
+
+    /// Seeks the law behind a head once more, from the law that was given, where slowing it down in so
+    /// short a time broke limits by more than was taken back.
+    fn begin_again(
+        &self,
+        retiming: &Retiming<'_>,
+        c: &mut Vec<f64>,
+        found: &mut Found,
+        weights: [f64; 2],
+        rounds: usize,
+    ) {
+        let until = |time: f64| self.borders.partition_point(|border| *border < time);
+        let worst = |found: &Found, time: f64| {
+            let limits = &found.limits[..(2 * until(time) - 1) * retiming.count()];
+            limits.iter().fold(0.0_f64, |worst, limit| worst.max(limit.value))
+        };
+        if worst(found, self.head) < ASTRAY {
+            return;
+        }
+        let old = (c.clone(), found.clone());
+        for (i, one) in c.iter_mut().enumerate() {
+            let on = (self.place(i) - BACK * self.head) / (self.head - BACK * self.head);
+            *one = 1.0 + (*one - 1.0) * smooth(on);
+        }
+        let last = until(2.0 * self.head).min(c.len());
+        retiming.improve(c, found, self.first()..last, weights, rounds);
+        if worst(found, 2.0 * self.head) > worst(&old.1, 2.0 * self.head) {
+            (*c, *found) = old;
+        }
     }
 
     /// Writes phases of the law.
@@ -285,7 +331,7 @@ impl<'a> Stage<'a> {
     fn cost(&self, law: &[Phase], factor: f64) -> f64 {
         match factor {
             ..=1.0 => length(law),
-            _ if self.is_head => f64::INFINITY,
+            _ if self.is_head() => f64::INFINITY,
             _ => length(law) * factor,
         }
     }
@@ -363,6 +409,12 @@ impl<'a> Stage<'a> {
         }
         ranges
     }
+}
+
+/// A smooth step from 0 to 1.
+fn smooth(x: f64) -> f64 {
+    let x = x.clamp(0.0, 1.0);
+    x * x * (3.0 - 2.0 * x)
 }
 
 /// The factor on time that puts all phases right.
