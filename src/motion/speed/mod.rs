@@ -21,6 +21,7 @@ mod reference;
 mod retime;
 mod run;
 mod spline;
+mod stage;
 mod textbook;
 mod verify;
 
