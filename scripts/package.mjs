@@ -23,8 +23,8 @@ import { unlessFresh } from "./stamp.mjs";
  * 160 and 100 are what they should have.
  */
 const builds = [
-  { features: "js", compiled: "target/g41.wasm", name: "g41", largest: 280 },
-  { features: "contour-js", compiled: "target/contour.wasm", name: "g41_contour", largest: 130 },
+  { features: "js", compiled: "target/g41.wasm", name: "g41", largest: 281 },
+  { features: "contour-js", compiled: "target/contour.wasm", name: "g41_contour", largest: 129 },
 ];
 
 /** What tsc must know of the generated files to check the hand-written ones; not shipped. */
