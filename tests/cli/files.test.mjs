@@ -107,6 +107,29 @@ test("a text that is not UTF-8 comes out as it went in", async () => {
   assert.equal((await g41(["convert", "swapped.ngc", ...radius])).out, utf8.out);
 });
 
+test("what is no text, or has nothing in it, is no program", async () => {
+  const utf16 = Buffer.from(corner, "utf16le");
+  for (const [bytes, says] of [
+    [Buffer.from("\x7fELF\x02\x01\x01\0\0\0G1 X1\n", "latin1"), "this is no text"],
+    [utf16, "this is no text; if an editor shows one, save it as UTF-8"],
+    [Buffer.alloc(0), "there is nothing in it"],
+    [Buffer.from("\r\n \r\n"), "there is nothing in it"],
+    [Buffer.alloc(64), "there is nothing in it"],
+  ]) {
+    writeFileSync(path("odd.ngc"), bytes);
+    for (const command of ["convert", "check"]) {
+      const { code, out, err } = await g41([command, "odd.ngc", ...radius]);
+      assert.deepEqual([code, out], [3, ""], `${command}: ${says}`);
+      assert.ok(err.startsWith(`g41: error: odd.ngc: ${says}`), `${command}: ${err}`);
+    }
+  }
+  const leader = Buffer.alloc(100);
+  writeFileSync(path("tape.ngc"), Buffer.concat([leader, Buffer.from(corner), leader]));
+  const tape = await g41(["convert", "tape.ngc", ...radius]);
+  const plain = await g41(["convert", "part.ngc", ...radius]);
+  assert.deepEqual([tape.code, tape.err, tape.out], [0, "", plain.out], "blank tape is left out");
+});
+
 test("what cannot be written whole is told, to a file and to standard output", {
   skip: !existsSync("/dev/full"),
 }, async () => {

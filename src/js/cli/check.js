@@ -1,7 +1,7 @@
 // g41 check: programs are compensated and judged by distances.
 import { compensate, check as judge, parseProgram } from "../node.js";
 import { exit, Failure, misused } from "./failure.js";
-import { nameOf, readText } from "./input.js";
+import { nameOf, readProgram } from "./input.js";
 import { write } from "./output.js";
 import { Progress } from "./progress.js";
 import { complain, report } from "./report.js";
@@ -69,7 +69,7 @@ export async function check(files, values) {
  */
 async function readOrComplain(file) {
   try {
-    return (await readText(file)).text;
+    return (await readProgram(file)).text;
   } catch (error) {
     if (!(error instanceof Failure)) {
       throw error;

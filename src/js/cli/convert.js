@@ -3,7 +3,7 @@ import { compensate, parseProgram } from "../node.js";
 import { useToolPath } from "../tool_path.js";
 import { exit, misused } from "./failure.js";
 import { ofPaths, ofPrograms } from "./flags.js";
-import { nameOf, readText, standard } from "./input.js";
+import { nameOf, readProgram, standard } from "./input.js";
 import { jsonPieces } from "./json.js";
 import { keepInputs, write } from "./output.js";
 import { Progress } from "./progress.js";
@@ -51,7 +51,7 @@ export async function convert(files, values) {
     await keepInputs(output, table === undefined ? [file] : [file, table]);
   }
   const tools = await toolsOf(values);
-  const { text, encoding } = await readText(file);
+  const { text, encoding } = await readProgram(file);
   const progress = new Progress(text.length, steps);
   /** @type {import("../types.d.ts").Diagnostic[]} */
   let found;

@@ -4,7 +4,7 @@ import { csvPieces } from "../motion.js";
 import { compensate, parseProgram } from "../node.js";
 import { blocksOf, costsOf } from "./cycle_time.js";
 import { exit, misused } from "./failure.js";
-import { nameOf, readText, standard } from "./input.js";
+import { nameOf, readProgram, standard } from "./input.js";
 import { limitsOf } from "./limits.js";
 import { keepInputs, write } from "./output.js";
 import { Progress } from "./progress.js";
@@ -43,7 +43,7 @@ export async function plan(files, values) {
   }
   const limits = limitsOf(values.limits);
   const tools = await toolsOf(values);
-  const { text } = await readText(file);
+  const { text } = await readProgram(file);
   const progress = new Progress(text.length, steps);
   /** @type {import("../types.d.ts").Diagnostic[]} */
   let found;
