@@ -124,10 +124,10 @@ test("what is no text, or has nothing in it, is no program", async () => {
     }
   }
   const leader = Buffer.alloc(100);
-  writeFileSync(path("tape.ngc"), Buffer.concat([leader, Buffer.from(corner), leader]));
+  writeFileSync(path("tape.ngc"), Buffer.concat([leader, Buffer.from(`${corner}\x1a`), leader]));
   const tape = await g41(["convert", "tape.ngc", ...radius]);
   const plain = await g41(["convert", "part.ngc", ...radius]);
-  assert.deepEqual([tape.code, tape.err, tape.out], [0, "", plain.out], "blank tape is left out");
+  assert.deepEqual([tape.code, tape.err, tape.out], [0, "", plain.out], "blank tape and Ctrl+Z");
 });
 
 test("what cannot be written whole is told, to a file and to standard output", {

@@ -15,6 +15,9 @@ const wides = new Map([
   ["feff", "utf-16be"],
 ]);
 
+/** Ctrl+Z. */
+const endOfText = 0x1a;
+
 /**
  * A program: a text in which there is something. Of an empty one, as a transfer that failed leaves it,
  * nothing would be wrong.
@@ -66,8 +69,8 @@ export async function readText(path) {
 }
 
 /**
- * Bytes without the zeros before and behind them: blank tape, which some controls and serial lines still
- * send.
+ * Bytes without the zeros before and behind them, which are blank tape to some controls and serial lines,
+ * and without the mark that DOS ends a text with.
  *
  * @param {Buffer} bytes
  */
@@ -76,7 +79,7 @@ function withoutLeader(bytes) {
   while (from < to && bytes[from] === 0) {
     from += 1;
   }
-  while (from < to && bytes[to - 1] === 0) {
+  while (from < to && (bytes[to - 1] === 0 || bytes[to - 1] === endOfText)) {
     to -= 1;
   }
   return bytes.subarray(from, to);
