@@ -85,9 +85,30 @@ test("what is no text is refused with its name", async ({ page }) => {
   const g41 = new G41Page(page);
   await g41.open();
   const before = await g41.program.inputValue();
-  await g41.drop({ name: "photo.nc", text: "PNG\0\0\0" });
+  await g41.drop({ name: "photo.nc", text: "PNG\0\0\0IHDR" });
   await expect(page.locator(".notice")).toHaveText("photo.nc is not a text.");
   expect(await g41.program.inputValue()).toBe(before);
+});
+
+test("blank tape and DOS's mark at the ends of a program are left out", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  await g41.drop({ name: "tape.nc", text: `\0\0\0${SQUARE}\x1a\0\0` });
+  await expect(g41.program).toHaveValue(SQUARE);
+});
+
+test("beside a program with errors, side and diagnostics fit into 800 pixels", async ({ page }) => {
+  await page.setViewportSize({ width: 1280, height: 800 });
+  const g41 = new G41Page(page);
+  await g41.open();
+  // Of FANUC's by its signs, which takes a row more for what it seems to be written for.
+  await g41.drop({ name: "part.nc", text: `%\nO1000\n${SQUARE}G999\nG998\nM98 P1\n%\n` });
+  await expect(page.locator(".diagnostics li").first()).toBeVisible();
+  await expect(page.getByRole("button", { name: /Use FANUC/ })).toBeVisible();
+  const bottom = await page
+    .locator(".diagnostics")
+    .evaluate((e) => e.getBoundingClientRect().bottom);
+  expect(bottom, "the diagnostics end within the window").toBeLessThanOrEqual(800);
 });
 
 test("what other editors write is read, with the letters of its language", async ({ page }) => {

@@ -64,6 +64,14 @@ test("the selected point and the state are told in words", async ({ page }) => {
   await expect(words).toContainText("Start of the contour: x 0, y 18");
 });
 
+test("one thing of a kind is told as one", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  await g41.drop({ name: "part.nc", text: "G0 X-20 Y0\nG1 G41 D1 X0 F300\nY40\nG999\nG40 X-20\n" });
+  const words = page.locator("#description");
+  await expect(words, "of several, the first").toContainText("1 diagnostic: the word G999");
+});
+
 test("tabs of the programs are chosen by arrow keys", async ({ page }) => {
   const g41 = new G41Page(page);
   await g41.open();

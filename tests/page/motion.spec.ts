@@ -130,6 +130,19 @@ test("what has no motion shows none, and leaves none of another program", async 
   expect(g41.errors).toEqual([]);
 });
 
+test("on a phone a time of minutes stays on one line", async ({ page }) => {
+  await page.setViewportSize({ width: 390, height: 844 });
+  const g41 = await opened(page, "star");
+  await g41.drop({ name: "slow.nc", text: "G1 X100 F60\nX0\n" });
+  const time = page.locator(".motion-times strong").first();
+  await expect(time).toHaveText(/min/);
+  const { height, size } = await time.evaluate((e) => ({
+    height: e.getBoundingClientRect().height,
+    size: Number.parseFloat(getComputedStyle(e).fontSize),
+  }));
+  expect(height, "one line").toBeLessThan(2 * size);
+});
+
 test("the picture keeps the part in sight beside the panel, also where there is little room", async ({
   page,
 }) => {

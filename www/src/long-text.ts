@@ -20,14 +20,15 @@ export interface DecodedText {
  * The text of the bytes of a file: UTF-16 with its mark, UTF-8, or what old editors write; undefined for
  * what is no text.
  */
-export function decoded(bytes: Uint8Array<ArrayBuffer>): DecodedText | undefined {
-  const wide = bytes[0] === 0xff && bytes[1] === 0xfe ? "utf-16le" : "utf-16be";
-  if (wide === "utf-16le" || (bytes[0] === 0xfe && bytes[1] === 0xff)) {
-    const text = new TextDecoder(wide).decode(bytes);
+export function decoded(file: Uint8Array<ArrayBuffer>): DecodedText | undefined {
+  const wide = file[0] === 0xff && file[1] === 0xfe ? "utf-16le" : "utf-16be";
+  if (wide === "utf-16le" || (file[0] === 0xfe && file[1] === 0xff)) {
+    const text = new TextDecoder(wide).decode(file);
     // Lines are looked for by a byte, which in UTF-16 may be half of another letter.
     if (text.includes("\0")) return undefined;
     return { text, bytes: new TextEncoder().encode(text), encoding: "utf-8" };
   }
+  const bytes = withoutLeader(file);
   if (bytes.includes(0)) return undefined;
   try {
     const text = new TextDecoder("utf-8", { fatal: true }).decode(bytes);
@@ -36,6 +37,17 @@ export function decoded(bytes: Uint8Array<ArrayBuffer>): DecodedText | undefined
     const encoding = "windows-1252";
     return { text: new TextDecoder(encoding).decode(bytes), bytes, encoding };
   }
+}
+
+/** Ctrl+Z, the mark that DOS ends a text with. */
+const END_OF_TEXT = 0x1a;
+
+/** Bytes without that mark, and without the zeros at both ends, which are blank tape. */
+function withoutLeader(bytes: Uint8Array<ArrayBuffer>): Uint8Array<ArrayBuffer> {
+  let [from, to] = [0, bytes.length];
+  while (from < to && bytes[from] === 0) from += 1;
+  while (from < to && (bytes[to - 1] === 0 || bytes[to - 1] === END_OF_TEXT)) to -= 1;
+  return bytes.subarray(from, to);
 }
 
 /** Finds the lines of a text. */

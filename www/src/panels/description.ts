@@ -31,7 +31,7 @@ export function describe({ result, selection, history, failure }: State): string
     const name = part.contours.length > 1 ? `Contour ${i + 1}` : "The contour";
     const kinds = (["line", "arc", "spline"] as const).flatMap((kind) => {
       const count = segments.filter((segment) => segment.kind === kind).length;
-      return count > 0 ? [`${count} ${kind}${count > 1 ? "s" : ""}`] : [];
+      return count > 0 ? [counted(count, kind)] : [];
     });
     return `${name} has ${kinds.join(", ")}; the tool runs on its ${side}.`;
   });
@@ -40,7 +40,7 @@ export function describe({ result, selection, history, failure }: State): string
     const { text, moves } = result.long;
     const { error, warning } = result.counts;
     sentences.unshift(
-      `${name} has ${text.starts.length} lines and gives ${moves} moves, with ${error} errors and ${warning} warnings.`,
+      `${name} has ${counted(text.starts.length, "line")} and gives ${counted(moves, "move")}, with ${counted(error, "error")} and ${counted(warning, "warning")}.`,
     );
     return sentences.join(" ");
   }
@@ -54,16 +54,21 @@ export function describe({ result, selection, history, failure }: State): string
   const uncut = findings.flatMap((finding) => (finding.kind === "uncut" ? [finding.area] : []));
   if (uncut.length > 0) {
     const area = uncut.reduce((sum, each) => sum + each, 0);
-    sentences.push(`${format(area)} mm² stay uncut, in ${uncut.length} places.`);
+    sentences.push(`${format(area)} mm² stay uncut, in ${counted(uncut.length, "place")}.`);
   }
   const { diagnostics } = result;
   if (diagnostics.length > 0) {
     const first = diagnostics[0]?.message ?? "";
-    sentences.push(`${diagnostics.length} diagnostics, the first: ${first}.`);
+    const most = counted(diagnostics.length, "diagnostic");
+    sentences.push(`${most}${diagnostics.length > 1 ? ", the first" : ""}: ${first}.`);
   }
   const at = selection && locate(part, selection);
   if (selection && at) {
     sentences.unshift(`${describePoint(part, selection)}: x ${format(at[0])}, y ${format(at[1])}.`);
   }
   return sentences.join(" ");
+}
+
+function counted(count: number, noun: string): string {
+  return `${count} ${noun}${count === 1 ? "" : "s"}`;
 }
