@@ -14,6 +14,9 @@ use crate::motion::Limits;
 const PLACES: usize = 4;
 const MOST: usize = 64;
 
+/// How far apart they are at most, in the time that jerk needs to reach its limit.
+const LONGEST: f64 = 0.1;
+
 /// Part of the change of jerk in a period that is left to what lies between the places.
 pub(super) const BETWEEN: f64 = 0.95;
 
@@ -65,7 +68,7 @@ pub(super) fn verify(
     for k in first..range.end {
         let phase = &law[k];
         let mut worst = [0.0_f64; 4];
-        times(course, phase, limits.period, at, &mut places);
+        times(course, phase, limits, at, &mut places);
         for time in places.iter().copied() {
             let [s, v, a, j] = phase.at(time);
             let frame = course.frame(s, &mut at);
@@ -152,12 +155,13 @@ fn raise(value: &mut f64, other: f64) {
     }
 }
 
-/// Where a phase is looked at: at even steps, of which a period has some, and on either side of where
-/// it comes to other pieces, as jerk has a kink there.
-fn times(course: &Course, phase: &Phase, period: f64, mut at: usize, times: &mut Vec<f64>) {
+/// Where a phase is looked at: at even steps, and on either side of where it comes to other pieces, as
+/// jerk has a kink there.
+fn times(course: &Course, phase: &Phase, limits: &Limits, mut at: usize, times: &mut Vec<f64>) {
     times.clear();
+    let longest = LONGEST * limits.jerk / limits.snap();
     let mut count = PLACES;
-    while count < MOST && phase.duration > 0.5 * period * count as f64 {
+    while count < MOST && phase.duration > longest * count as f64 {
         count *= 2;
     }
     let step = phase.duration / count as f64;
