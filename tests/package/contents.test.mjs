@@ -76,6 +76,14 @@ test("the types export all that their files declare", () => {
   );
 });
 
+test("tools that do not know exports find the same files", () => {
+  const folder = join(project("fields", {}), "node_modules/g41");
+  const manifest = JSON.parse(readFileSync(join(folder, "package.json"), "utf8"));
+  const { node, browser, types } = manifest.exports["."];
+  const fields = [manifest.main, manifest.module, manifest.types];
+  assert.deepEqual(fields, [node, browser, types], "main, module and types");
+});
+
 test("publint finds nothing to improve", async () => {
   const home = project("publint", {});
   const pkgDir = join(home, "node_modules/g41");
