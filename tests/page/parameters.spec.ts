@@ -39,9 +39,11 @@ test("a value entered once more is no step of undo, and Escape takes a wrong one
   await field.fill("2 +");
   await field.press("Enter");
   await expect(field).toHaveAttribute("aria-invalid", "true");
+  await expect(field).toHaveAccessibleDescription(/no number.* Esc brings .* back/);
   await field.press("Escape");
   await expect(field).toHaveValue("5");
   await expect(field).not.toHaveAttribute("aria-invalid");
+  await expect(field).toHaveAccessibleDescription("");
 });
 
 test("a radius larger than the part is answered, not refused", async ({ page }) => {

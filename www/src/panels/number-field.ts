@@ -44,7 +44,7 @@ export class NumberField {
     if (value !== undefined && value === this.#value && this.#isTyping()) return;
     this.#value = value ?? 0;
     this.input.value = text;
-    this.input.removeAttribute("aria-invalid");
+    this.#complain("");
   }
 
   #isTyping(): boolean {
@@ -54,22 +54,32 @@ export class NumberField {
   #enter(): void {
     const value = evaluate(this.input.value);
     if (value === undefined) {
-      this.input.setAttribute("aria-invalid", "true");
+      const kept = format(this.#value, this.#options.digits);
+      this.#complain(`This is no number, as 5, 2.5 or 10/3 are; Esc brings ${kept} back.`);
       return;
     }
-    this.input.removeAttribute("aria-invalid");
+    this.#complain("");
     this.#options.onValue(value);
     this.input.value = format(this.#value, this.#options.digits);
+  }
+
+  /** Marks the field as wrong and says why, to pointers and screen readers too; nothing wrong is "". */
+  #complain(why: string): void {
+    this.input.setCustomValidity(why);
+    this.input.title = why;
+    if (why) this.input.setAttribute("aria-invalid", "true");
+    else this.input.removeAttribute("aria-invalid");
   }
 
   #key(event: KeyboardEvent): void {
     if (event.key === "Enter") {
       event.preventDefault();
       this.#enter();
+      this.input.reportValidity();
       return;
     }
     if (event.key === "Escape") {
-      this.input.removeAttribute("aria-invalid");
+      this.#complain("");
       this.input.value = format(this.#value, this.#options.digits);
       return;
     }
