@@ -69,3 +69,27 @@ M30
   await expect(page.locator(".copy .hovered")).toHaveText("Z-40");
   expect(g41.errors).toEqual([]);
 });
+
+test("where the lead-out goes back along the lead-in, both are dashed", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open("rooms");
+  await g41.frames(3);
+  const where = await g41.locator();
+  const box = await g41.canvas.boundingBox();
+  const [[x, top], [, bottom]] = [where([22, 24]), where([22, 8])];
+  const gaps = await g41.base.evaluate(
+    (element, [left, from, to]) => {
+      const canvas = element as HTMLCanvasElement;
+      const scale = canvas.width / canvas.clientWidth;
+      const height = Math.round((to - from) * scale);
+      const data = canvas
+        .getContext("2d")
+        ?.getImageData(Math.round(left * scale), Math.round(from * scale), 1, height).data;
+      const green = Array.from({ length: height }, (_, i) => data?.[4 * i + 1] ?? 0);
+      const [light, dark] = [Math.max(...green), Math.min(...green)];
+      return green.filter((value) => value > (light + dark) / 2).length / height;
+    },
+    [x - (box?.x ?? 0), top - (box?.y ?? 0), bottom - (box?.y ?? 0)] as const,
+  );
+  expect(gaps, "four of ten parts of it are gaps").toBeGreaterThan(0.33);
+});

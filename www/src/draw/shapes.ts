@@ -127,7 +127,8 @@ function withLive(shapes: Shapes, live: LivePicture, result: Result, seen: Seen)
     }
     if (next === undefined && live.leads[1]) {
       while (last > first + 1 && same(last, last - 1)) last -= 1;
-      lead(last - 1, last);
+      const comesBack = live.leads[0] && same(start, last) && same(start + 1, last - 1);
+      if (!comesBack) lead(last - 1, last);
       last -= 1;
     }
     if (last > first) path.trace(cut, first, last, window);
@@ -163,14 +164,25 @@ function pathShapes(
   const free = new Path2D();
   const track = trackOf(result.path.points);
   const windows = new Map<Path2D, Window>();
+  // Dashes of a lead-out back along the lead-in would fill the gaps of the other's.
+  const leadsBefore = new Set<string>();
   for (const { contour, first, last } of cutRuns(result)) {
     const path = contour === FREE ? free : contour === LEAD ? leads : cuts[contour];
     if (!path || contour === without) continue;
+    if (contour === LEAD && last === first + 1) {
+      if (leadsBefore.has(chord(result.path.points, last, first))) continue;
+      leadsBefore.add(chord(result.path.points, first, last));
+    }
     const own = windows.get(path) ?? (window.whole ? window : { ...window, drawn: new Set() });
     windows.set(path, own);
     track.trace(path, first, last, own);
   }
   return { cuts, leads, free };
+}
+
+/** A chord from one vertex to another, by name. */
+function chord(points: Float64Array, from: number, to: number): string {
+  return [from, to].map((i) => points.subarray(2 * i, 2 * i + 2).join()).join(" ");
 }
 
 /** Vertices of the path that are drawn in one stroke. */
