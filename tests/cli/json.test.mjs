@@ -76,6 +76,6 @@ ${shapes.join("\n")}`,
 });
 
 test("a path without moves is JSON too", async () => {
-  const { code, out } = await g41(["convert", "-", "--json"]);
+  const { code, out } = await g41(["convert", "-", "--json"], { input: "M30\n" });
   assert.deepEqual([code, JSON.parse(out)], [0, { moves: [], transitions: [], diagnostics: [] }]);
 });
