@@ -33,6 +33,14 @@ struct Printed {
     feed: f64,
 }
 
+impl Printed {
+    /// Whether an arc turns about its own end, in whichever plane it lies.
+    fn is_point(&self, least: f64) -> bool {
+        let DVec3 { x, y, z } = self.to;
+        [DVec2::new(x, y), DVec2::new(z, x)].iter().any(|end| end.distance(self.center) < least)
+    }
+}
+
 /// A program and what was printed for it.
 #[derive(Debug, Default)]
 struct Case {
@@ -169,7 +177,8 @@ fn difference((step, turned): &(Move, f64), printed: &Printed, unit: f64) -> Opt
         _ if step.rapid => b'0',
         _ => b'1',
     };
-    if kind != printed.kind {
+    let climbs = matches!(step.curve, MoveCurve::Vertical(_)) && printed.is_point(near / unit);
+    if kind != printed.kind && !climbs {
         return Some("is of another kind".to_string());
     }
     // Feeds per revolution are not compared: what is printed of them is none per minute.
@@ -201,7 +210,7 @@ fn check(case: &Case, dialect: Dialect) -> Result<(), String> {
     let mut seen = moves.iter();
     for (i, printed) in case.moves.iter().enumerate() {
         let goes = printed.to.distance(std::mem::replace(&mut at, printed.to)) * unit;
-        if goes < least && printed.kind < b'2' {
+        if goes < least && (printed.kind < b'2' || printed.is_point(least / unit)) {
             continue;
         }
         let Some(step) = seen.next() else { return Err(format!("has no move {i}")) };

@@ -51,13 +51,12 @@ impl Control<'_> {
         let attributes = self.timed(attributes, helix(arc, turns, attributes));
         let inwards = direction(arc.center() - end).ok_or(TOO_TIGHT)?;
         let beside = end + inwards * if is_inside { radius } else { -radius };
-        let towards = direction(arc.center() - beside).ok_or(TOO_TIGHT)?;
         let chord = from - beside;
-        let cosine = chord.normalize_or_zero().dot(towards);
+        let cosine = chord.normalize_or_zero().dot(inwards);
         if cosine.abs() < MIN_COSINE {
             return Err(TOO_TIGHT);
         }
-        let center = beside + towards * (0.5 * chord.length() / cosine);
+        let center = beside + inwards * (0.5 * chord.length() / cosine);
         if self.passage.tip != DVec2::ZERO {
             // A lathe tool first puts the centre of its tip where its own point was.
             let along = DVec2::ZERO;

@@ -267,8 +267,8 @@ impl<'a> Control<'a> {
     /// What has to be longer than the tool radius is longer than this [mm].
     fn least_length(&self) -> f64 {
         let more = match self.passage {
-            Passage { unit, .. } if unit <= 1.0 => 0.0,
             Passage { is_listed: true, .. } => -SAME_LENGTH,
+            Passage { unit, .. } if unit <= 1.0 => 0.0,
             Passage { .. } => SAME_LENGTH,
         };
         self.tool.radius() + more
