@@ -11,9 +11,9 @@ import {
 import { join } from "node:path";
 import { gzipSync } from "node:zlib";
 
-import { root, run, script } from "./command.mjs";
+import { Failure, root, run, script } from "./command.mjs";
 import { namedInOrder } from "./order.mjs";
-import { locked, wasmTarget, xtask } from "./setup.mjs";
+import { locked, setup, wasmTarget, xtask } from "./setup.mjs";
 import { unlessFresh } from "./stamp.mjs";
 
 /**
@@ -57,6 +57,15 @@ const layout = [
   ...["--reorder-functions-by-name", "--optimize-level=2", "--shrink-level=2"],
   "--optimize-stack-ir",
 ];
+
+/** Makes the tools ready and builds `dist/`, in which each wasm has to fit. */
+export async function makePackage() {
+  await setup();
+  const wasm = await buildPackage();
+  if (!wasm.fits) {
+    throw new Failure("the wasm has grown beyond its limit");
+  }
+}
 
 /** Builds `dist/` and returns whether each wasm fits, and the gzipped sizes for people to read. */
 export async function buildPackage() {

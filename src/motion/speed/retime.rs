@@ -335,16 +335,12 @@ impl<'a> Retiming<'a> {
             weight = (weight * FALL).max(end);
         }
         let mut marked = Vec::new();
-        for i in free.clone() {
-            if (c[i] - work.old[i - free.start]).abs() > MOVED * c[i].abs() {
-                marked.push(i);
-            }
-        }
         let count = 2 * self.count();
         for i in free.clone() {
+            let moved = (c[i] - work.old[i - free.start]).abs() > MOVED * c[i].abs();
             let limits = i * count..((i + 1) * count).min(found.limits.len());
             let broken = |limit: &Limit| limit.value > 1.0 + BROKEN;
-            if found.limits.get(limits).is_some_and(|limits| limits.iter().any(broken)) {
+            if moved || found.limits.get(limits).is_some_and(|limits| limits.iter().any(broken)) {
                 marked.push(i);
             }
         }
