@@ -12,13 +12,6 @@ use super::{Contour, Segment, Side};
 use crate::geometry::intersect::{arc_arc, line_arc, line_line};
 use crate::geometry::{Bounds, Curve, MIN_LENGTH};
 
-/// The most segments that run in, and the most that run out.
-const MOST: usize = 3;
-
-/// How near ends that are meant to touch come to each other [mm]: programs round to a micrometre or
-/// to a ten thousandth of an inch, and arcs to what their centres make of that.
-const TOUCH: f64 = 0.01;
-
 /// Chords of the closed part, as a part of its size.
 const CHORD: f64 = 1e-4;
 
@@ -38,6 +31,13 @@ pub struct Walls {
 }
 
 impl Walls {
+    /// The most segments that run in, and the most that run out.
+    pub const MOST: usize = 3;
+
+    /// How near ends that are meant to touch come to each other [mm]: programs round to a micrometre
+    /// or to a ten thousandth of an inch, and arcs to what their centres make of that.
+    pub const TOUCH: f64 = 0.01;
+
     /// The walls of a contour whose tool is on a side; `None` where all of it is wall.
     ///
     /// One of its first and one of its last segments must meet; what then lies before and behind must
@@ -49,13 +49,13 @@ impl Walls {
             return None;
         }
         // The shortest ways in and out first.
-        for more in 0..2 * MOST - 1 {
+        for more in 0..2 * Self::MOST - 1 {
             for first in 0..=more {
                 let (first, last) = (first, (segments.len() - 1).checked_sub(more - first)?);
                 if first >= last {
                     continue;
                 }
-                let near = first < MOST && more - first < MOST;
+                let near = first < Self::MOST && more - first < Self::MOST;
                 for [t, u] in near.then(|| meetings(segments, first, last)).into_iter().flatten() {
                     let from = Place { segment: first, t };
                     let walls = Self { from, to: Place { segment: last, t: u } };
@@ -193,13 +193,13 @@ fn meetings(segments: &[Segment], first: usize, last: usize) -> Vec<[f64; 2]> {
     let mut places: Vec<[f64; 2]> = Vec::new();
     for t in [1.0, 0.0] {
         let nearest = b.nearest(a.point(t));
-        if nearest.distance <= TOUCH {
+        if nearest.distance <= Walls::TOUCH {
             places.push([t, nearest.t]);
         }
     }
     for u in [0.0, 1.0] {
         let nearest = a.nearest(b.point(u));
-        if nearest.distance <= TOUCH {
+        if nearest.distance <= Walls::TOUCH {
             places.push([nearest.t, u]);
         }
     }
@@ -216,9 +216,9 @@ fn meetings(segments: &[Segment], first: usize, last: usize) -> Vec<[f64; 2]> {
     for place in &mut places {
         // Nothing shorter than what counts as a touch is cut off.
         for (at, length) in place.iter_mut().zip([a.length(), b.length()]) {
-            if *at * length <= TOUCH {
+            if *at * length <= Walls::TOUCH {
                 *at = 0.0;
-            } else if (1.0 - *at) * length <= TOUCH {
+            } else if (1.0 - *at) * length <= Walls::TOUCH {
                 *at = 1.0;
             }
         }

@@ -11,14 +11,8 @@ use glam::DVec2;
 use crate::contour::{Contour, Segment, Side, Walls};
 use crate::program::{ContourEnd, ContourStart, ProgrammedContour};
 
-/// How near a lap comes to where it began [mm], as programs round.
-const TOUCH: f64 = 0.01;
-
 /// The shortest lap [mm]: far longer than segments that are as near to each other as they are short.
 const SHORTEST: f64 = 1.0;
-
-/// The most segments of a lap before the place where it closes: those that run in.
-const MOST: usize = 3;
 
 /// Cosine of the most that a lap may turn off from the one before where it begins.
 const SAME_WAY: f64 = 0.999_9;
@@ -69,16 +63,16 @@ fn lap_of(segments: &[Segment]) -> usize {
     segments.len()
 }
 
-/// Whether the last of the first `count` segments ends on one of those that it began with, which goes
+/// Whether the last of the first `count` segments ends on one of those that it ran in by, which goes
 /// on `along` a direction there if one is given.
 fn returns(segments: &[Segment], count: usize, along: Option<DVec2>) -> bool {
     let at = segments[count - 1].curve.end();
-    segments[..count.min(MOST)].iter().enumerate().any(|(index, Segment { curve, .. })| {
-        if curve.bounds().distance(at) > TOUCH {
+    segments[..count.min(Walls::MOST)].iter().enumerate().any(|(index, Segment { curve, .. })| {
+        if curve.bounds().distance(at) > Walls::TOUCH {
             return false;
         }
         let nearest = curve.nearest(at);
-        nearest.distance <= TOUCH
+        nearest.distance <= Walls::TOUCH
             && along.is_none_or(|along| along.dot(curve.tangent(nearest.t)) >= SAME_WAY)
             && is_long(&segments[index + 1..count])
     })
