@@ -109,9 +109,12 @@ fn add_loops(path: &mut ToolPath, pass: u32, from: usize) {
         {
             end += 1;
         }
-        let at = path.moves[first].curve.start();
-        let around = |&index: &usize| surrounds(path, &path.loops[index], at);
-        let parent = if pass == 0 { None } else { (from..candidates).find(around) };
+        // Where one of them goes round a corner by straight moves and the other, for want of room, by
+        // an arc, the loop of a later pass may bulge out of the one before.
+        let parent = path.moves[first..end].iter().find_map(|one| {
+            let at = one.curve.start();
+            (from..candidates).find(|&index| pass > 0 && surrounds(path, &path.loops[index], at))
+        });
         path.loops.push(PathLoop { first_move: first, moves_end: end, pass, parent });
         first = end;
     }

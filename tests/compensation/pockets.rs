@@ -107,6 +107,20 @@ fn an_island_is_gone_round_in_every_pass() {
 }
 
 #[test]
+fn a_loop_that_bulges_out_of_the_one_before_has_it_for_its_parent() {
+    // Where the island is near the wall the straight moves about its corner give way to the arc, which
+    // is nearer to it than those of the pass before.
+    let pocket = polygon(&[(38.1, 20.7), (5.3, 22.3), (1.5, -27.5)]);
+    let island = polygon(&[(21.2, 6.4), (19.3, 8.7), (23.0, 8.3)]);
+    let path = cleared(&[&pocket, &island], 1.0, Passes::All { stepover: 1.0 });
+    assert!(path.loops.len() > 5, "{:?}", path.loops);
+    for one in path.loops.iter().filter(|one| one.pass > 0) {
+        let before = one.parent.map(|index| path.loops[index].pass + 1);
+        assert_eq!(before, Some(one.pass), "{one:?}");
+    }
+}
+
+#[test]
 fn passes_without_end_need_a_pocket() {
     let wall = Sketch::open(p(0.0, 0.0), [line(p(40.0, 0.0))]).contour();
     let path = cleared(&[&wall], 3.0, Passes::All { stepover: 2.0 });
