@@ -23,7 +23,7 @@ import { unlessFresh } from "./stamp.mjs";
  * 160 and 100 are what they should have.
  */
 const builds = [
-  { features: "js", compiled: "target/g41.wasm", name: "g41", largest: 281 },
+  { features: "js", compiled: "target/g41.wasm", name: "g41", largest: 282 },
   { features: "contour-js", compiled: "target/contour.wasm", name: "g41_contour", largest: 129 },
 ];
 

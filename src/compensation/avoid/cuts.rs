@@ -71,25 +71,37 @@ impl Stretch {
         for (side, places) in EXAMINED.iter().enumerate() {
             let mut clear = middle;
             for &k in &places[usize::from(!is_long)..] {
-                let mut gouged = at(k);
+                let gouged = at(k);
                 if is_clear(gouged) {
                     clear = gouged;
                     continue;
                 }
-                for _ in 0..HALVINGS {
-                    let between = 0.5 * (clear + gouged);
-                    *(if is_clear(between) { &mut clear } else { &mut gouged }) = between;
-                }
-                if side > 0 {
-                    (part.to, part.end) = (clear, Some(*flips));
-                } else {
-                    (part.from, part.start) = (clear, Some(*flips));
-                }
-                *flips += 1;
+                part.shorten(side > 0, [clear, gouged], is_clear, flips);
                 break;
             }
         }
         parts.push(part);
+    }
+
+    /// Lets it end, or start, between a clear place and one that is gouged.
+    #[inline(never)]
+    fn shorten(
+        &mut self,
+        at_end: bool,
+        [mut clear, mut gouged]: [f64; 2],
+        is_clear: &mut dyn FnMut(f64) -> bool,
+        flips: &mut u32,
+    ) {
+        for _ in 0..HALVINGS {
+            let between = 0.5 * (clear + gouged);
+            *(if is_clear(between) { &mut clear } else { &mut gouged }) = between;
+        }
+        if at_end {
+            (self.to, self.end) = (clear, Some(*flips));
+        } else {
+            (self.from, self.start) = (clear, Some(*flips));
+        }
+        *flips += 1;
     }
 }
 
@@ -134,6 +146,7 @@ impl Survey<'_> {
             return stretches;
         }
         let mut kept = Vec::with_capacity(stretches.len());
+        let mut short = Vec::new();
         let mut flips = crossings;
         for stretch in stretches {
             if self.fates[stretch.piece] == Fate::Clear {
@@ -146,6 +159,7 @@ impl Survey<'_> {
             let size = curve.hull_bounds().size().max_element();
             if whole && size <= SHORT * self.radius {
                 if is_clear(0.5) {
+                    short.push(kept.len());
                     kept.push(stretch);
                 }
             } else {
@@ -153,7 +167,33 @@ impl Survey<'_> {
                 stretch.examine(is_long, &mut is_clear, &mut flips, &mut kept);
             }
         }
+        self.shorten_loose(&mut kept, &short, clearance, &mut flips);
         kept
+    }
+
+    /// Lets short stretches, of which the middle alone was examined, end where they become too near
+    /// if nothing goes on there.
+    fn shorten_loose(
+        &self,
+        stretches: &mut [Stretch],
+        short: &[usize],
+        clearance: &mut Clearance,
+        flips: &mut u32,
+    ) {
+        for &k in short {
+            let Stretch { piece, start, end, .. } = stretches[k];
+            let mut is_clear = |t: f64| clearance.is_clear_on(piece, t);
+            let goes_on = |k: usize| following(self.work, stretches, k).is_some();
+            // What leads to the start of a contour, if anything does, lies at its end.
+            let is_led = start.is_some() || k == 0 || goes_on(k - 1);
+            let is_over = end.is_none() && !goes_on(k);
+            if !is_led && !is_clear(0.0) {
+                stretches[k].shorten(false, [0.5, 0.0], &mut is_clear, flips);
+            }
+            if is_over && !is_clear(1.0) {
+                stretches[k].shorten(true, [0.5, 1.0], &mut is_clear, flips);
+            }
+        }
     }
 
     /// All cuts, and the number of crossings.

@@ -45,6 +45,10 @@ use crate::contour::{Contour, Tool, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Curve, Decimal};
 
+/// The largest tolerance, as a part of the radius: within one of about the radius a path that crosses a
+/// wall is too near to it nowhere but there, and may be taken for clear.
+const COARSEST: f64 = 0.1;
+
 /// Part of the tolerance that offsets of splines may use up where the path is cut. Elsewhere they use
 /// up all of it.
 const OFFSET_SHARE: f64 = 0.1;
@@ -64,8 +68,8 @@ const CLEAR_SHARE: f64 = 0.22;
 /// thousandth of it in area.
 const OUTLINE: f64 = 1e-4;
 
-/// Longest dead end, and longest bridge, as a multiple of `√(r tolerance)`: on a chord of 2.8 of it, a tool cuts as deep
-/// as the tolerance.
+/// Longest dead end, and longest bridge, as a multiple of `√(r tolerance)`: on a chord of 2.8 of it, a
+/// tool cuts as deep as the tolerance.
 const DEAD_END: f64 = 4.0;
 
 /// Part of the tolerance by which a bridge between two stretches may be too near.
@@ -91,9 +95,9 @@ const SMALLER: [f64; 3] = [0.0, 0.5, 0.3];
 ///
 /// The tool never comes nearer than `radius − tolerance` to any point of the contour, looked at as a
 /// whole; leads apart, which are as programmed. Splines are offset exactly, whatever
-/// `options.spline` says, and involutes as splines that a hundredth of the tolerance is kept for. Where the tool does not fit between distant segments the path falls into
-/// several pieces, ordered by where they begin on the contour; a closed contour gives closed
-/// pieces. Outside corners are gone round by an arc where `options.corner` asks for straight moves
+/// `options.spline` says, and involutes as splines that a hundredth of the tolerance is kept for.
+/// Where the tool does not fit between distant segments the path falls into several pieces, ordered
+/// by where they begin on the contour; a closed contour gives closed pieces. Outside corners are gone round by an arc where `options.corner` asks for straight moves
 /// but something else is in their way, or for anything but those; leads go straight to where the
 /// path begins, where they do not go round a corner. [`ToolPath::uncut`] tells what is not reached. Nothing
 /// reachable gives an empty path and a diagnostic.
@@ -271,7 +275,7 @@ fn clear_jobs(
     whole: &Whole,
 ) -> (ToolPath, Vec<DVec2>) {
     let finest = jobs.iter().map(|job| finest_tolerance(job.contour, job.tool)).fold(0.0, f64::max);
-    let tolerance = options.usable_tolerance().max(finest);
+    let tolerance = options.usable_tolerance().min(COARSEST * radius).max(finest);
     let options = &Options { tolerance, spline: SplineMethod::Exact, ..*options };
     let (mut work, nodes) = Workpiece::new(jobs, options);
     let mut tree = OrderTree::new(nodes);
