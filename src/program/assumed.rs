@@ -52,7 +52,7 @@ impl Assumed {
     }
 }
 
-fn turned(place: DVec3, angle: f64) -> DVec3 {
+pub(super) fn turned(place: DVec3, angle: f64) -> DVec3 {
     if angle == 0.0 {
         return place;
     }

@@ -7,7 +7,7 @@
 
 use glam::DVec3;
 
-use super::assumed::Assumed;
+use super::assumed::{Assumed, turned};
 use super::auxiliary::{append_word, take_as_text, word as text_of};
 use super::block::{Block, Word};
 use super::dialect::Dialect;
@@ -339,13 +339,20 @@ impl Interpreter {
         given: [Option<f64>; 3],
         angle: Option<f64>,
     ) {
-        let Systems { assumed, held, .. } = &mut self.modal.systems;
-        let Some(machine) = *held else { return };
+        let Systems { active, assumed, held, .. } = &mut self.modal.systems;
+        let Some(machine) = held else { return };
         if by_place {
-            return assumed.set_by_place(system, machine, given);
+            return assumed.set_by_place(system, *machine, given);
         }
-        let Some((origin, turned)) = assumed.origins.get_mut(system) else { return };
-        *turned = angle.map_or(*turned, radians);
+        let shift = assumed.shift;
+        let Some((origin, turns)) = assumed.origins.get_mut(system) else { return };
+        if let Some(angle) = angle.map(radians) {
+            // It turns the number of the place alone, not also what G92 takes off.
+            if system == active.unwrap_or(0) {
+                *machine += turned(shift, angle) - turned(shift, *turns);
+            }
+            *turns = angle;
+        }
         for (origin, given) in origin.as_mut().iter_mut().zip(given) {
             *origin = given.unwrap_or(*origin);
         }
