@@ -165,6 +165,15 @@ export class ToolPath {
     return this.emit(options).text;
   }
 
+  toJSON() {
+    const { moves, transitions, diagnostics, gouges, loops } = this;
+    const uncut = this.uncut.map(({ outline, ...region }) => ({
+      outline: Array.from(outline),
+      ...region,
+    }));
+    return { moves, transitions, diagnostics, gouges, uncut, loops };
+  }
+
   // Where the environment has no Symbol.dispose yet, this only has a name that nobody calls.
   [Symbol.dispose]() {
     this.#handle.dispose();

@@ -98,6 +98,13 @@ test("avoided, the path keeps clear of the groove and tells what it does not rea
   assert.ok(region.outline instanceof Float64Array);
   assert.ok(region.segments.some(({ segment }) => segment === 1));
   assert.equal(path.uncut, path.uncut, "unpacked once");
+  const { moves, transitions, diagnostics, gouges, uncut, loops } = path;
+  const outlines = uncut.map((one) => ({ ...one, outline: Array.from(one.outline) }));
+  assert.deepEqual(
+    JSON.parse(JSON.stringify(path)),
+    { moves, transitions, diagnostics, gouges, uncut: outlines, loops },
+    "all of it is written as JSON",
+  );
 });
 
 test("stopped, there is no path but every reason", () => {

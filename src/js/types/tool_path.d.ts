@@ -22,6 +22,12 @@ export interface PathLoop {
   parent?: number;
 }
 
+/** A path as plain data. */
+export interface ToolPathData
+  extends Pick<ToolPath, "moves" | "transitions" | "diagnostics" | "gouges" | "loops"> {
+  uncut: (Omit<Uncut, "outline"> & { outline: number[] })[];
+}
+
 /** Numbers of one move in `ToolPath.records()`. */
 export const RECORD_STRIDE: 19;
 
@@ -104,6 +110,8 @@ export class ToolPath {
    * height is known to cross at.
    */
   emit(options?: GcodeOptions): Emitted;
+  /** All that the path has as plain data, as `JSON.stringify(path)` writes it. */
+  toJSON(): ToolPathData;
   /** Gives the memory back now; the handle cannot be used after it. */
   [Symbol.dispose](): void;
 }
