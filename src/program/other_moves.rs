@@ -11,7 +11,7 @@ use super::g_words::Motion;
 use super::interpret::{GEOMETRY, Interpreter, MINUTE};
 use super::items::Item;
 use super::words::Words;
-use crate::contour::{Move, MoveCurve, Plane, Reset, Role};
+use crate::contour::{Move, MoveCurve, Reset, Role};
 use crate::diagnostic::Diagnostic;
 use crate::geometry::Line;
 
@@ -204,12 +204,6 @@ impl Interpreter {
         if !self.rules.is_strict {
             return None;
         }
-        for (i, _) in named.into_iter().enumerate().filter(|(_, named)| *named) {
-            let along = self.modal.plane == Plane::Zx && i != 1 || i == 2;
-            if along && self.modal.length {
-                return None;
-            }
-        }
         let systems = &self.modal.systems;
         let machine = systems.assumed.machine(systems.active(), at);
         let machine = DVec3::select(BVec3::from_array(named), place, machine);
@@ -221,7 +215,7 @@ impl Interpreter {
         self.report.push(
             Diagnostic::info("assumed-origins", message)
                 .with_origin(block.origin())
-                .with_hint("but for those that the program sets; the reference points, too"),
+                .with_hint("but for those that the program sets; reference points, lengths, too"),
         );
         Some(place)
     }

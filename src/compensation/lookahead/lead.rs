@@ -3,13 +3,13 @@
 use glam::DVec2;
 
 use super::queue::{Pending, Shape};
-use super::{Control, Refused, TOO_TIGHT, climb, helix, swept};
+use super::{Control, Refused, SAME_LENGTH, TOO_TIGHT, climb, helix, swept};
 use crate::contour::{Attributes, Role};
 use crate::geometry::{Arc, direction, perp};
 
 /// Cosine of the angle between the chord of a lead-in arc and the radius at its end, below which no
 /// centre is equally far from both.
-const MIN_COSINE: f64 = 1e-6;
+const MIN_COSINE: f64 = 1e-4;
 
 impl Control<'_> {
     /// A straight lead-in to `to`: its end is beside its own.
@@ -45,7 +45,9 @@ impl Control<'_> {
             return Err(Refused("short-lead-in", message));
         }
         let is_inside = self.is_inside(arc.is_clockwise());
-        if is_inside && arc.radius() <= self.least_length() {
+        // An R word is compared as it is written, not as the centre that it gives lies.
+        let more = if self.passage.is_listed { -SAME_LENGTH } else { SAME_LENGTH };
+        if is_inside && arc.radius() <= radius + more {
             return Err(TOO_TIGHT);
         }
         let attributes = self.timed(attributes, helix(arc, turns, attributes));

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use glam::DVec2;
 
-use super::{Refused, swept};
+use super::{Refused, SAME_LENGTH, swept};
 use crate::contour::{
     Attributes, AuxiliaryWords, Event, EventKind, Move, MoveCurve, Role, ToolPath,
 };
@@ -129,7 +129,9 @@ impl Queue {
             let Entry::Move(pending) = entry else { continue };
             match pending.shape {
                 Shape::Line { along } => {
-                    if self.start.is_some_and(|start| along.dot(end - start) < 0.0) {
+                    // What has exactly the width of the tool is cut short to nothing.
+                    let backwards = |start| along.dot(end - start) < -SAME_LENGTH * along.length();
+                    if self.start.is_some_and(backwards) {
                         return Err(TOO_SHORT);
                     }
                 }
