@@ -241,9 +241,15 @@ fn reference_points_are_reached_where_origins_are_known() {
 }
 
 #[test]
-fn reference_points_stay_unknown_where_the_length_of_a_tool_is() {
-    let text = "G54\nG0 X0 Y0 Z5\nG43 H1\nG28 Z10\nM2\n";
-    assert_eq!(path_of(text, Profile::LinuxCnc).moves.len(), 1, "{text}");
+fn reference_points_are_the_machines_zero_less_what_the_program_shifts() {
+    for (length, height) in [("", 0.0), ("G43 H1", 0.0), ("G43.1 Z4", -4.0)] {
+        let text = format!("G54\nG0 X0 Y0 Z5\n{length}\nG28 Z10\nM2\n");
+        let path = path_of(&text, Profile::LinuxCnc);
+        // A length from the table of tools counts as none, and the path says so.
+        assert_eq!(places(&path).last(), Some(&[0.0, 0.0, height]), "{text}");
+        let codes: Vec<_> = path.diagnostics.iter().map(|found| found.code).collect();
+        assert!(codes.contains(&"assumed-origins"), "{text}: {codes:?}");
+    }
     let text = "G54\nG0 X0 Y0 Z5\nG28 Z10\nM2\n";
     assert_eq!(path_of(text, Profile::G41).moves.len(), 1, "other controls assume nothing");
     let shifted = path_of("G0 X1 Y0 Z5\nG92 X11\nG28 X11\nM2\n", Profile::LinuxCnc);
