@@ -1,6 +1,6 @@
 // The entry for browsers and bundlers that want contours alone: the WebAssembly that it fetches is
 // half of the whole.
-import load from "./g41.js";
+import * as glue from "./g41_contour.js";
 import { initialiser } from "./lifecycle.js";
 
 export {
@@ -12,6 +12,6 @@ export {
   ToolPath,
   version,
 } from "./api.js";
-export default initialiser((source) =>
-  load({ module_or_path: source ?? new URL("./g41_contour_bg.wasm", import.meta.url) }),
+export default initialiser(glue, (source) =>
+  glue.default({ module_or_path: source ?? new URL("./g41_contour_bg.wasm", import.meta.url) }),
 );

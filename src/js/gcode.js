@@ -1,5 +1,4 @@
 // Writes what a handle holds as a program.
-import { needWhole } from "./lifecycle.js";
 import { gcodeOptions } from "./options.js";
 
 /** @typedef {import("./g41.js").ProgramHandle | import("./g41.js").ToolPathHandle} Raw */
@@ -10,7 +9,7 @@ import { gcodeOptions } from "./options.js";
  * @returns {import("./types.d.ts").Emitted}
  */
 export function emitted(handle, options) {
-  needWhole();
+  handle.needWhole();
   const given = gcodeOptions(options);
   const [text, diagnostics] = /** @type {[string, string]} */ (
     handle.use((raw, glue) => raw.emit(new glue.EmitSettings(...given)))

@@ -1,16 +1,27 @@
 // Loads the WebAssembly once, refuses calls before that, and starts afresh after a trap.
-import * as glue from "./g41.js";
+//
+// There are two: that of "g41", and that of "g41/contour", which knows contours alone. Where both are
+// loaded, as by a page and a package that it uses, what is new is made by the whole, and what was made
+// stays with the one that made it.
 
-/** @type {"absent" | "ready" | "trapped"} */
-let state = "absent";
-/** @type {unknown} */
-let loading;
-/** Counts the fresh starts, since a handle does not outlive the instance that it belongs to. */
-let generation = 0;
-/** Whether what was loaded knows programs, G-code and motion, or contours alone. */
-let isWhole = true;
+/** @typedef {typeof import("./g41.js")} Glue */
 
-/** @typedef {typeof glue} Glue */
+/**
+ * One of the two.
+ *
+ * @typedef {object} Instance
+ * @property {Glue} glue
+ * @property {boolean} isWhole - whether it knows programs, G-code and motion
+ * @property {"absent" | "ready" | "trapped"} state
+ * @property {unknown} loading
+ * @property {number} generation - fresh starts, which no handle outlives
+ */
+
+/** @type {{ whole?: Instance, part?: Instance }} */
+const instances = {};
+/** @type {Instance | undefined} whose call runs now: what is made in it belongs to it */
+let running;
+
 /** @typedef {import("./types.d.ts").G41Error["code"]} Code */
 
 /**
@@ -26,36 +37,67 @@ export function coded(code, message, { path, cause } = {}) {
 }
 
 /**
- * Makes `init` from a loader, which may return a promise or be done when it returns.
+ * Makes `init` from the glue of a WebAssembly and what loads it, which may return a promise or be done
+ * when it returns.
  *
+ * @param {Glue | typeof import("./g41_contour.js")} glue - of the part, it has what contours need
  * @param {(source?: any) => unknown} load
  * @returns {(source?: string | object) => Promise<void>}
  */
-export function initialiser(load) {
+export function initialiser(glue, load) {
+  const instance = instanceOf(/** @type {Glue} */ (glue));
+  const begin = () => {
+    instance.state = "ready";
+  };
   return function init(source) {
-    if (state === "trapped") {
-      glue.__wbg_reset_state();
-      generation += 1;
-      state = "ready";
+    for (const one of Object.values(instances)) {
+      if (one.state === "trapped") {
+        one.glue.__wbg_reset_state();
+        one.generation += 1;
+        one.state = "ready";
+      }
     }
-    if (state === "ready") {
+    // The whole knows all that the part does.
+    if (instance.state === "ready" || instances.whole?.state === "ready") {
       return Promise.resolve();
     }
     try {
-      loading ??= load(source);
+      instance.loading ??= load(source);
     } catch (cause) {
       throw notLoaded(cause);
     }
-    if (!(loading instanceof Promise)) {
-      begin(loading);
+    if (!(instance.loading instanceof Promise)) {
+      begin();
       return Promise.resolve();
     }
-    return loading.then(begin, (cause) => {
+    return instance.loading.then(begin, (cause) => {
       // A failed download may be tried again.
-      loading = undefined;
+      instance.loading = undefined;
       throw notLoaded(cause);
     });
   };
+}
+
+/**
+ * The instance of a glue, which several entries may load.
+ *
+ * @param {Glue} glue
+ */
+function instanceOf(glue) {
+  const isWhole = "planMotion" in glue;
+  const name = isWhole ? "whole" : "part";
+  instances[name] ??= { glue, isWhole, state: "absent", loading: undefined, generation: 0 };
+  return instances[name];
+}
+
+/** What a call that no handle belongs to goes to: one that is loaded, the whole rather than the part. */
+function current() {
+  const { whole, part } = instances;
+  const loaded = [running, whole, part].find((one) => one && one.state !== "absent");
+  if (!loaded) {
+    throw coded("not-initialised", "g41 is not initialised: await init() first");
+  }
+  return loaded;
 }
 
 /**
@@ -72,17 +114,19 @@ function notLoaded(cause) {
   });
 }
 
-/** @param {any} exported by the WebAssembly */
-function begin(exported) {
-  isWhole = "planMotion" in exported;
-  state = "ready";
-}
-
 /** Refuses what the WebAssembly of `g41/contour` leaves out. */
 export function needWhole() {
-  call(() => {
-    if (!isWhole) {
-      throw coded("not-supported", 'programs, G-code and motion: import "g41" for "g41/contour"');
+  mustBeWhole(current());
+}
+
+/** @param {Instance} instance */
+function mustBeWhole(instance) {
+  run(instance, () => {
+    if (!instance.isWhole) {
+      throw coded(
+        "not-supported",
+        'programs, G-code and motion: import "g41" for "g41/contour", of which this is',
+      );
     }
   });
 }
@@ -95,14 +139,28 @@ export function needWhole() {
  * @returns {T}
  */
 export function call(work) {
-  if (state === "absent") {
-    throw coded("not-initialised", "g41 is not initialised: await init() first");
-  }
-  if (state === "trapped") {
+  return run(current(), work);
+}
+
+/**
+ * Runs a call into one of the two.
+ *
+ * @template T
+ * @param {Instance} instance
+ * @param {(glue: Glue) => T} work
+ * @returns {T}
+ */
+function run(instance, work) {
+  if (instance.state === "trapped") {
     throw coded("trapped", "g41 has stopped after an internal error: await init() to start afresh");
   }
+  if (running && running !== instance) {
+    throw coded("not-supported", 'this needs both of one origin, "g41" or "g41/contour"');
+  }
+  const outer = running;
+  running = instance;
   try {
-    return work(glue);
+    return work(instance.glue);
   } catch (cause) {
     if (typeof cause === "string") {
       // What the core says of a bad argument: where it is, and what it must be.
@@ -114,8 +172,10 @@ export function call(work) {
     }
     // Whatever else ends a call (a trap, a full stack, no memory) leaves the instance in a state
     // that nobody knows.
-    state = "trapped";
+    instance.state = "trapped";
     throw coded("trapped", `g41 has stopped after an internal error: ${cause}`, { cause });
+  } finally {
+    running = outer;
   }
 }
 
@@ -128,14 +188,22 @@ export function call(work) {
 export class Handle {
   /** @type {T | undefined} */
   #raw;
-  #generation = generation;
+  #instance;
+  #generation;
 
   /** @param {(glue: Glue) => T} make */
   constructor(make) {
     if (typeof make !== "function") {
       throw new TypeError("handles are made by the functions of g41, not by new");
     }
-    this.#raw = call(make);
+    this.#instance = current();
+    this.#generation = this.#instance.generation;
+    this.#raw = run(this.#instance, make);
+  }
+
+  /** Refuses what the WebAssembly of `g41/contour` leaves out, where this was made by it. */
+  needWhole() {
+    mustBeWhole(this.#instance);
   }
 
   /**
@@ -146,8 +214,8 @@ export class Handle {
    * @returns {R}
    */
   use(work) {
-    return call((glue) => {
-      if (this.#generation !== generation) {
+    return run(this.#instance, (glue) => {
+      if (this.#generation !== this.#instance.generation) {
         throw coded("disposed", "this was lost when g41 stopped after an internal error");
       }
       if (!this.#raw) {
@@ -175,8 +243,9 @@ export class Handle {
   dispose() {
     const raw = this.#raw;
     this.#raw = undefined;
+    const { state, generation } = this.#instance;
     if (raw && state === "ready" && this.#generation === generation) {
-      call(() => raw.free());
+      run(this.#instance, () => raw.free());
     }
   }
 }

@@ -2,7 +2,7 @@
 import { bad } from "./check.js";
 import { drawOn, svgData } from "./draw.js";
 import { emitted } from "./gcode.js";
-import { coded, Handle, needWhole } from "./lifecycle.js";
+import { coded, Handle } from "./lifecycle.js";
 import { packLimits } from "./limits.js";
 import { Motion } from "./motion.js";
 import { unpackMoves } from "./moves.js";
@@ -135,7 +135,7 @@ export class ToolPath {
 
   /** @param {import("./types.d.ts").Limits} limits */
   plan(limits) {
-    needWhole();
+    this.#handle.needWhole();
     const packed = packLimits(limits);
     return this.#handle.use((raw, glue) => {
       const make = () => glue.planMotion(raw, packed);

@@ -76,3 +76,44 @@ document.querySelector("output").textContent = [...codes, gouges.length].join(" 
   });
   assert.equal(await shownBy(home), "not-supported not-supported not-supported 0");
 });
+
+test("g41/contour and g41 serve one page, in either order", async () => {
+  const map = {
+    imports: {
+      g41: "./node_modules/g41/dist/web.js",
+      "g41/contour": "./node_modules/g41/dist/contour.js",
+    },
+  };
+  const home = project("both", {
+    "index.html": page(
+      `<script type="module">import initContour, { check, compensate, LiveContour } from "g41/contour";
+import init, { parseProgram } from "g41";
+const wall = { start: [0, 0], segments: [{ kind: "line", to: [10, 0] }] };
+const options = { side: "left", radius: 2 };
+const said = [];
+const tell = (call) => { try { said.push(call()); } catch ({ code }) { said.push(code); } };
+tell(() => compensate(wall, options));
+await initContour();
+const early = compensate(wall, options);
+const live = new LiveContour(wall, options);
+tell(() => parseProgram("G0 X1"));
+await init();
+await initContour();
+const program = parseProgram("G41 D1 G1 X10 F100");
+for (const path of [early, live.path(), compensate(wall, options)]) {
+  tell(() => path.moves.length);
+  tell(() => check(wall, path, { radius: 2 }).length);
+  tell(() => typeof path.emit().text);
+  tell(() => typeof check(program, path, { radius: 2 }).length);
+  path[Symbol.dispose]?.();
+}
+tell(() => compensate(program, { radius: 2 }).moves.length);
+document.querySelector("output").textContent = said.join(" ");</script>`,
+      `<script type="importmap">${JSON.stringify(map)}</script>`,
+    ),
+  });
+  // What was made before the whole was there lives on, and is refused what only the whole can do.
+  const early = "1 0 not-supported not-supported";
+  const expected = ["not-initialised", "not-supported", early, early, "1 0 string number", "1"];
+  assert.equal(await shownBy(home), expected.join(" "));
+});
