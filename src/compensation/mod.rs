@@ -36,4 +36,4 @@ pub use options::{
     CornerStyle, GougePolicy, LeadStyle, MIN_TOLERANCE, Options, Output, Passes, SplineMethod,
     TangentBand,
 };
-pub use policy::{compensate_all, compensate_beside, refuse_gouges};
+pub use policy::{compensate_all, compensate_beside, compensate_locally, refuse_gouges};

@@ -54,6 +54,16 @@ pub fn compensate_all(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath 
     path
 }
 
+/// The path of a contour as [`super::compensate`] makes it, without a look at whether distant parts of
+/// the contour are too near to each other: that is for whoever knows which of them are walls.
+#[must_use]
+pub fn compensate_locally(contour: &Contour, tool: Tool, options: &Options) -> ToolPath {
+    if options.output == Output::Arcs {
+        return with_arcs(options, &|cubics| compensate_locally(contour, tool, cubics));
+    }
+    compensate_traced(contour, tool, options, &mut Trace::default(), 0)
+}
+
 /// The path of an open contour of which only the segments of a range are walls, gouges avoided: what
 /// runs in before them and out behind them is followed, and may be cut.
 #[must_use]

@@ -4,7 +4,7 @@ use glam::DVec2;
 
 use super::Tools;
 use super::walls::{Lap, laps};
-use crate::contour::{Contour, Gouge, Move, MoveCurve, Role, Segment, Tool, ToolPath, Walls};
+use crate::contour::{Contour, Gouge, Move, MoveCurve, Role, Segment, Tool, ToolPath};
 use crate::diagnostic::{Diagnostic, Severity};
 use crate::geometry::Decimal;
 use crate::gouge::check_all;
@@ -132,38 +132,38 @@ pub(super) fn tell_gouges(
     }
 }
 
-/// Judges anew what of a path was found too near to distant parts of its contour, when parts of that
-/// are no walls, or it is gone round more than once.
-pub(super) fn judge_again(
+/// Judges the path of a contour of which parts are no walls, or that is gone round more than once; so
+/// far it tells what single segments and corners cut.
+pub(super) fn judge_laps(
     path: &mut ToolPath,
     programmed: &ProgrammedContour,
-    walls: Option<&Walls>,
+    laps: &[Lap<'_>],
     tool: Tool,
     tolerance: f64,
 ) {
-    let laps = laps(programmed, tool.side());
-    let is_repeated = laps.len() > 1;
-    if walls.is_none() && !is_repeated {
-        return;
+    if laps.len() > 1 {
+        leave_out_repeated(path, tolerance);
     }
+    tell_gouges(path, programmed, laps, tool, tolerance, Severity::Error);
+}
+
+/// Leaves out what is told of a lap and was told of one before: what is wrong with every lap is told of
+/// the first.
+fn leave_out_repeated(path: &mut ToolPath, tolerance: f64) {
     let ToolPath { diagnostics, gouges, .. } = path;
     let mut told: Vec<(&str, DVec2)> = Vec::new();
     diagnostics.retain(|found| {
         let Some(at) = found.at.filter(|_| found.depth.is_some()) else { return true };
-        // What is wrong with every lap is told of the first.
-        let is_known = |&(code, place): &(&str, DVec2)| {
-            is_repeated && code == found.code && place.distance(at) <= tolerance
-        };
-        let goes = found.code == TOO_NEAR || told.iter().any(is_known);
-        if goes {
-            let is_of = |gouge: &Gouge| gouge.at == at && found.depth == Some(gouge.depth);
-            if let Some(index) = gouges.iter().position(is_of) {
-                gouges.remove(index);
-            }
-        } else {
+        let is_known =
+            |&(code, place): &(&str, DVec2)| code == found.code && place.distance(at) <= tolerance;
+        if !told.iter().any(is_known) {
             told.push((found.code, at));
+            return true;
         }
-        !goes
+        let is_of = |gouge: &Gouge| gouge.at == at && found.depth == Some(gouge.depth);
+        if let Some(index) = gouges.iter().position(is_of) {
+            gouges.remove(index);
+        }
+        false
     });
-    tell_gouges(path, programmed, &laps, tool, tolerance, Severity::Error);
 }

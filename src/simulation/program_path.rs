@@ -5,10 +5,12 @@ use glam::{BVec2, DVec2, DVec3};
 use super::Tools;
 use super::ahead::with_look_ahead;
 use super::changes::{cross_over, leave_out_last, start_from};
-use super::judge::judge_again;
+use super::judge::judge_laps;
 use super::spline_blocks::name_blocks;
+use super::walls::laps;
 use crate::compensation::{
-    GougePolicy, LeadStyle, Options, Passes, compensate_all, compensate_beside, refuse_gouges,
+    GougePolicy, LeadStyle, Options, Passes, compensate_all, compensate_beside, compensate_locally,
+    refuse_gouges,
 };
 use crate::contour::{
     Attributes, AuxiliaryWords, Contour, EventKind, Move, MoveCurve, Reset, Role, Tool, ToolPath,
@@ -97,6 +99,23 @@ impl ProgramCompensation {
         }
         self.course.path
     }
+}
+
+/// The path of a contour with what it cuts; `runs_in_or_out` tells that not all of it is wall.
+fn reported(
+    programmed: &ProgrammedContour,
+    runs_in_or_out: bool,
+    tool: Tool,
+    options: &Options,
+) -> ToolPath {
+    let contour = &programmed.contour;
+    let laps = laps(programmed, tool.side());
+    if !runs_in_or_out && laps.len() == 1 {
+        return compensate_all(&[(contour, tool)], options);
+    }
+    let mut path = compensate_locally(contour, tool, options);
+    judge_laps(&mut path, programmed, &laps, tool, options.usable_tolerance());
+    path
 }
 
 /// About how many blocks an item comes from.
@@ -217,12 +236,9 @@ impl Course {
                     let (contour, walls) = walls.split(contour.clone());
                     compensate_beside(&contour, walls, tool, options)
                 }
-                _ => compensate_all(&[(contour, tool)], options),
+                _ if avoids => compensate_all(&[(contour, tool)], options),
+                _ => reported(programmed, walls.is_some(), tool, options),
             };
-            if !avoids {
-                let tolerance = options.usable_tolerance();
-                judge_again(&mut path, programmed, walls.as_ref(), tool, tolerance);
-            }
             set_feeds(&mut path, contour);
             path
         };
