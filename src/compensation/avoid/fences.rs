@@ -5,10 +5,10 @@
 
 use glam::DVec2;
 
-use super::tree::{OrderTree, Range};
+use super::tree::{Node, OrderTree, Range};
 use super::units::{Kind, Workpiece, corner_arc, corner_of};
 use crate::compensation::offset::{ArcOffset, offset_arc, offset_line, offset_span};
-use crate::contour::MoveCurve;
+use crate::contour::{Corner, MoveCurve};
 use crate::geometry::{Arc, Bounds, BoxTree, perp};
 
 /// Calls `visit` with every fence that may meet a box of `open`; those of splines are off by at most
@@ -21,30 +21,32 @@ pub(super) fn each_fence(
     visit: &mut dyn FnMut(&MoveCurve),
 ) {
     let mut curves = Vec::new();
-    for unit in 0..work.units.len() {
-        if work.units[unit].kind != Kind::Segment {
-            continue;
-        }
-        let node = tree.unit(unit);
-        let offset = work.jobs[work.units[unit].job as usize].tool.offset();
-        let beside = node.octants.left_normals();
-        let (a, b) = (beside.min * -offset, beside.max * -offset);
-        let around = Bounds { min: node.contour.min + a.min(b), max: node.contour.max + a.max(b) };
-        if open.meets(&around) {
+    // All are of one radius.
+    let offset = work.jobs[0].tool.offset();
+    let both = work.jobs.iter().any(|job| job.tool.offset() != offset);
+    let meets = |node: &Node| {
+        let beside = |offset: f64| open.meets(&beside(node, -offset));
+        beside(offset) || both && beside(-offset)
+    };
+    tree.each(&meets, &mut |unit| {
+        if work.units[unit].kind == Kind::Segment {
+            let offset = work.jobs[work.units[unit].job as usize].tool.offset();
             curves.clear();
             other_side(work, unit, -offset, tolerance, &mut curves);
             curves.iter().for_each(&mut *visit);
         }
-        for corner in corners_beside(work, unit) {
-            let circle = Bounds::of([corner.point]).inflated(offset.abs());
-            if open.meets(&circle) {
+    });
+    for (job, range) in work.jobs.iter().zip(&work.ranges) {
+        let offset = job.tool.offset();
+        for unit in range.from..range.to {
+            if let Some(corner) = inside_corner(work, unit, *range)
+                && open.meets(&Bounds::of([corner.point]).inflated(offset.abs()))
+            {
                 let [n1, n2] = [corner.incoming, corner.outgoing]
                     .map(|tangent| corner.point - perp(tangent) * offset);
                 corner_arc(n1, n2, &corner, offset < 0.0).iter().for_each(&mut *visit);
             }
         }
-    }
-    for (job, range) in work.jobs.iter().zip(&work.ranges) {
         // The walls of a contour that runs over meet.
         if range.closed || job.runs_over() {
             continue;
@@ -59,6 +61,13 @@ pub(super) fn each_fence(
             }
         }
     }
+}
+
+/// A box around what lies by `offset` beside the contour of a node.
+fn beside(node: &Node, offset: f64) -> Bounds {
+    let normals = node.octants.left_normals();
+    let (a, b) = (normals.min * offset, normals.max * offset);
+    Bounds { min: node.contour.min + a.min(b), max: node.contour.max + a.max(b) }
 }
 
 /// The offset of a unit to its other side.
@@ -86,22 +95,13 @@ fn other_side(
     }
 }
 
-/// The inside corners at both ends of a unit: outside corners seen from the other side.
-fn corners_beside(work: &Workpiece, unit: usize) -> Vec<crate::contour::Corner> {
-    let Range { from, to, closed } = work.range_of(unit);
-    let is_break = |at: usize| work.units[at].kind == Kind::Break;
-    let after = |at: usize| if at + 1 < to { Some(at + 1) } else { closed.then_some(from) };
-    let before = |at: usize| if at > from { Some(at - 1) } else { closed.then(|| to - 1) };
-    let mut corners = Vec::new();
-    for ahead in [true, false] {
-        let step = |at: usize| if ahead { after(at) } else { before(at) };
-        if let Some(gap) = step(unit).filter(|&at| is_break(at))
-            && let Some(other) = step(gap)
-            && let [Some(incoming), Some(outgoing)] =
-                (if ahead { [unit, other] } else { [other, unit] }).map(|at| work.curve(at))
-        {
-            corners.push(corner_of(&incoming, &outgoing));
-        }
+/// The inside corner that a unit of a contour is: an outside corner seen from the other side.
+fn inside_corner(work: &Workpiece, unit: usize, range: Range) -> Option<Corner> {
+    let Range { from, to, closed } = range;
+    if work.units[unit].kind != Kind::Break {
+        return None;
     }
-    corners
+    let before = if unit > from { unit - 1 } else { closed.then(|| to - 1)? };
+    let after = if unit + 1 < to { unit + 1 } else { closed.then_some(from)? };
+    Some(corner_of(&work.curve(before)?, &work.curve(after)?))
 }

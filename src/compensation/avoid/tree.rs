@@ -194,6 +194,30 @@ impl OrderTree {
             })
     }
 
+    /// Calls `visit` with every unit that `holds` is true of, and of all that it is part of, in order.
+    pub(super) fn each(&self, holds: &dyn Fn(&Node) -> bool, visit: &mut dyn FnMut(usize)) {
+        self.each_below(self.levels.len() - 1, 0, holds, visit);
+    }
+
+    fn each_below(
+        &self,
+        level: usize,
+        from: usize,
+        holds: &dyn Fn(&Node) -> bool,
+        visit: &mut dyn FnMut(usize),
+    ) {
+        let nodes = &self.levels[level];
+        for (index, node) in (from..).zip(&nodes[from..nodes.len().min(from + FAN)]) {
+            if holds(node) {
+                if level == 0 {
+                    visit(index);
+                } else {
+                    self.each_below(level - 1, FAN * index, holds, visit);
+                }
+            }
+        }
+    }
+
     /// Where the contour heads along a stretch of units, if all of them fit.
     fn heading(&self, mut from: usize, to: usize) -> Option<Octants> {
         let mut octants = Octants::default();
@@ -315,7 +339,8 @@ impl Join<'_> {
     /// Pairs of one unit below each of two nodes, `a` before `b`; `open` tells whether the path of
     /// `a` and whether that of `b` has still to be looked at.
     fn pair(&mut self, level: usize, a: usize, b: usize, mut open: [bool; 2]) {
-        let nodes = &self.tree.levels[level];
+        let tree = self.tree;
+        let nodes = &tree.levels[level];
         let (node_a, node_b) = (&nodes[a], &nodes[b]);
         open[0] = open[0] && self.is_open(level, a, node_a, node_b);
         open[1] = open[1] && self.is_open(level, b, node_b, node_a);
@@ -333,22 +358,32 @@ impl Join<'_> {
             }
             return;
         }
-        let below = self.tree.levels[level - 1].len();
-        for child in FAN * a..below.min(FAN * (a + 1)) {
-            for other in FAN * b..below.min(FAN * (b + 1)) {
-                self.pair_if_news(level - 1, child, other, open);
+        let below = &tree.levels[level - 1];
+        for child in FAN * a..below.len().min(FAN * (a + 1)) {
+            let node = &below[child];
+            let open =
+                [open[0] && self.reaches(node, node_b), open[1] && self.reaches(node_b, node)];
+            if open[0] || open[1] {
+                for other in FAN * b..below.len().min(FAN * (b + 1)) {
+                    self.pair_if_news(level - 1, child, other, open);
+                }
             }
         }
         self.marks.refresh(level, a);
         self.marks.refresh(level, b);
     }
 
+    /// Whether the path of a node may come near to the contour of another.
+    fn reaches(&self, path: &Node, contour: &Node) -> bool {
+        path.path.gap_squared(&contour.contour) < self.limits.reach * self.limits.reach
+    }
+
     /// Whether the path of a node can be too near to the contour of another; not where it surely is.
     fn is_open(&mut self, level: usize, index: usize, path: &Node, contour: &Node) -> bool {
-        let (path, contour) = (&path.path, &contour.contour);
-        if path.gap_squared(contour) >= self.limits.reach * self.limits.reach {
+        if !self.reaches(path, contour) {
             return false;
         }
+        let (path, contour) = (&path.path, &contour.contour);
         let least = self.limits.least;
         if least > 0.0 && path.span_squared(contour) < least * least {
             self.marks.all(level, index, GOUGED | SUSPECT);
