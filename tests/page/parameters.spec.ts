@@ -46,6 +46,31 @@ test("a value entered once more is no step of undo, and Escape takes a wrong one
   await expect(field).toHaveAccessibleDescription("");
 });
 
+test("a radius below zero, or beyond what is allowed, is refused with the reason", async ({
+  page,
+}) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const before = await g41.output.inputValue();
+  const field = page.getByLabel("Tool radius in mm");
+  for (const [radius, why] of [
+    ["-3", /less than 0 mm; for the other side choose G41 or G42; Esc brings 5 back/],
+    ["1001", /more than 1000 mm; Esc brings 5 back/],
+  ] as const) {
+    await field.fill(radius);
+    await field.press("Enter");
+    await expect(field).toHaveAttribute("aria-invalid", "true");
+    await expect(field).toHaveAccessibleDescription(why);
+    await expect(field).toHaveValue(radius);
+  }
+  await expect(g41.output).toHaveValue(before);
+  await field.press("Escape");
+  await expect(field).toHaveValue("5");
+  await field.fill("4.5");
+  await field.press("Enter");
+  await expect(g41.output).not.toHaveValue(before);
+});
+
 test("a radius larger than the part is answered, not refused", async ({ page }) => {
   const g41 = new G41Page(page);
   await g41.open();

@@ -33,6 +33,8 @@ export interface NumberParameter {
   readonly unit: string;
   readonly min: number;
   readonly max: number;
+  /** What to do where less than `min` is meant. */
+  readonly instead?: string;
   readonly step: number;
   /** The range of the slider; without it there is none. */
   readonly slider?: { readonly min: number; readonly max: number; readonly step: number };
@@ -82,6 +84,7 @@ export const PARAMETERS: readonly Parameter[] = [
     unit: "mm",
     min: 0,
     max: 1000,
+    instead: "for the other side choose G41 or G42",
     step: 0.001,
     slider: { min: 0, max: 20, step: 0.1 },
     hint: "Radius of the cutter",

@@ -10,6 +10,8 @@ export interface NumberFieldOptions {
   /** What the arrow keys add; with Shift ten times, with Alt a tenth. */
   readonly step: number;
   readonly digits?: number;
+  /** The least and the largest number that may be entered, and what to do instead of less. */
+  readonly range?: { readonly min: number; readonly max: number; readonly instead?: string };
   /** Called with each number that was entered; `gesture` joins repeated steps. */
   readonly onValue: (value: number, gesture?: string) => void;
 }
@@ -53,14 +55,25 @@ export class NumberField {
 
   #enter(): void {
     const value = evaluate(this.input.value);
-    if (value === undefined) {
-      const kept = format(this.#value, this.#options.digits);
-      this.#complain(`This is no number, as 5, 2.5 or 10/3 are; Esc brings ${kept} back.`);
+    const wrong =
+      value === undefined ? "This is no number, as 5, 2.5 or 10/3 are" : this.#beyond(value);
+    if (value === undefined || wrong) {
+      this.#complain(`${wrong}; Esc brings ${format(this.#value, this.#options.digits)} back.`);
       return;
     }
     this.#complain("");
     this.#options.onValue(value);
     this.input.value = format(this.#value, this.#options.digits);
+  }
+
+  /** Why a number is too small or too large; "" where it is neither. */
+  #beyond(value: number): string {
+    const { range, unit = "", digits } = this.#options;
+    const bound = (at: number) => `${format(at, digits)} ${unit}`.trim();
+    if (range && value < range.min) {
+      return [`This is less than ${bound(range.min)}`, range.instead].filter(Boolean).join("; ");
+    }
+    return range && value > range.max ? `This is more than ${bound(range.max)}` : "";
   }
 
   /** Marks the field as wrong and says why, to pointers and screen readers too; nothing wrong is "". */

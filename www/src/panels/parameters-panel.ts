@@ -75,6 +75,7 @@ function numberRow(row: HTMLElement, parameter: NumberParameter, store: Store): 
     unit,
     step: slider?.step ?? parameter.step,
     digits: 4,
+    range: parameter,
     onValue: enter,
   });
   row.append(field.root);
