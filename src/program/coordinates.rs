@@ -13,7 +13,7 @@ use super::block::{Block, Word};
 use super::dialect::Dialect;
 use super::frame::radians;
 use super::g_words::{Act, GWord, g_word};
-use super::interpret::Interpreter;
+use super::interpret::{Interpreter, is_axis};
 use super::number::whole;
 use super::words::{Words, tenths};
 use crate::contour::Reset;
@@ -409,18 +409,19 @@ impl Interpreter {
         let mut named = [false; 3];
         let from = self.modal.position;
         let mut via = self.modal.frame.unmap(from);
+        let bare = words.unused().any(|(_, word)| is_axis(word) && word.value.is_nan());
         for (i, letter) in AXES.into_iter().enumerate() {
             if let Some(axis) = words.take(letter) {
                 named[i] = true;
-                let length = self.modal.length_of(i, axis.value);
-                via[i] = if self.modal.relative { via[i] + length } else { length };
+                let length = if bare { 0.0 } else { self.modal.length_of(i, axis.value) };
+                via[i] = if bare || self.modal.relative { via[i] + length } else { length };
                 append_word(&mut text, letter, length);
             }
         }
         let rotary = words.has_any("ABCUVW");
         self.forget_others(words);
         take_as_text(words, "ABCUVWP", &mut text);
-        let relative = self.modal.relative && (rotary || named != [false; 3]);
+        let relative = (bare || self.modal.relative) && (rotary || named != [false; 3]);
         if relative {
             text = format!("G91 {text}");
         }

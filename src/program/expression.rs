@@ -4,7 +4,7 @@ use super::dialect::Dialect;
 use super::functions::{FUNCTIONS, Function, Impossible, OPERATORS, Operator};
 use super::lexer::LineReader;
 use super::number::NumberError;
-use super::parameters::{FAILED, LAST, LAST_OF_NGC, Target};
+use super::parameters::{FAILED, LAST, LAST_OF_HAAS, LAST_OF_NGC, Target};
 
 /// Deepest nesting of brackets, functions and signs.
 const DEEPEST: u32 = 100;
@@ -227,7 +227,11 @@ impl LineReader<'_> {
         let whole = index.round();
         let fanuc = self.dialect == Dialect::Fanuc;
         let strict = self.interpreter.rules.is_strict;
-        let [first, last] = if strict { [1, LAST_OF_NGC] } else { [0, LAST] };
+        let [first, last] = match (strict, fanuc) {
+            (true, _) => [1, LAST_OF_NGC],
+            (_, true) => [0, LAST_OF_HAAS],
+            _ => [0, LAST],
+        };
         if !(f64::from(first)..=f64::from(last)).contains(&whole)
             || !fanuc && (index - whole).abs() > NEARLY_WHOLE
         {
@@ -250,9 +254,12 @@ impl LineReader<'_> {
         let value = match target {
             Target::Name(name) | Target::Whole(name) => match self.named(name) {
                 Some(value) => value,
+                None if name.starts_with('_') => return fault(unknown, at),
                 None => return fault(("unset-parameter", "the parameter was never set"), at),
             },
-            Target::Number(number) if is_system(*number, self.dialect) => {
+            Target::Number(number)
+                if is_system(*number, self.dialect) && self.parameters.number(*number).is_nan() =>
+            {
                 match self.interpreter.system_number(*number, self.dialect) {
                     Some(value) => value,
                     None => return fault(unknown, at),
@@ -279,8 +286,8 @@ impl LineReader<'_> {
 /// Whether a parameter tells or sets the state of the control.
 pub(super) fn is_system(number: u32, dialect: Dialect) -> bool {
     match dialect {
-        Dialect::Auto | Dialect::LinuxCnc => number > 5_000,
-        Dialect::Fanuc => number >= 1_000,
+        Dialect::Auto | Dialect::LinuxCnc => (5_001..10_000).contains(&number),
+        Dialect::Fanuc => (1_000..10_000).contains(&number),
         Dialect::Sinumerik => false,
     }
 }

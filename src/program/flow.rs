@@ -173,9 +173,11 @@ impl Runner {
             }
             _ => {}
         }
-        // What follows a loop's DO is its number, and the condition of a branch that is not asked
-        // for may say what it likes.
-        if !matches!(mark.step, Step::LoopStart | Step::ElseIf) {
+        if mark.step == Step::LoopStart && reader.cursor.eat_all("DO") {
+            reader.cursor.digits();
+        }
+        // The condition of a branch that is not asked for may say what it likes.
+        if mark.step != Step::ElseIf {
             reader.only_comments();
         }
         Some(arguments)

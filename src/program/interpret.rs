@@ -165,7 +165,12 @@ impl Interpreter {
             return Flow::End;
         }
         self.drill(block, &mut words, moved);
-        self.not_understood(block, &words);
+        let hint = if demands.no_move {
+            "it has no effect, and its block moves nothing"
+        } else {
+            "it has no effect"
+        };
+        self.not_understood(block, &words, hint);
         if self.is_refused {
             return Flow::End;
         }
@@ -265,7 +270,7 @@ impl Interpreter {
         );
     }
 
-    fn not_understood(&mut self, block: &Block, words: &Words) {
+    pub(super) fn not_understood(&mut self, block: &Block, words: &Words, hint: &str) {
         for (_, word) in words.unused() {
             let code = "word-not-understood";
             let number = Decimal::of(word.value);
@@ -276,7 +281,7 @@ impl Interpreter {
                 self.is_refused = true;
                 return;
             }
-            self.report.error(code, message, at, "it has no effect");
+            self.report.error(code, message, at, hint);
         }
     }
 }
@@ -287,6 +292,6 @@ fn fault(code: &'static str, message: impl Into<String>, origin: Origin) -> Diag
         .with_hint("the control stops here, and so does the path")
 }
 
-fn is_axis(word: &Word) -> bool {
+pub(super) fn is_axis(word: &Word) -> bool {
     matches!(word.letter, 'X' | 'Y' | 'Z' | 'j' | 'q')
 }

@@ -8,7 +8,7 @@ use super::flow::Destination;
 use super::interpret::Interpreter;
 use super::macros::calls;
 use super::number::{NumberError, whole};
-use super::parameters::{FAILED, Parameters, Setting, Target};
+use super::parameters::{FAILED, Parameters, Setting, Target, UNSET};
 
 /// Most words of a block. Controls allow about 250 characters; a line without end is no block.
 const MOST_WORDS: usize = 100;
@@ -202,7 +202,10 @@ impl LineReader<'_> {
             let report = &mut self.interpreter.report;
             report.warning("unclosed-comment", "the comment has no end", origin, hint);
         }
-        self.block.comments.push(comment);
+        // FANUC's blocks end with `;`.
+        if comment != ";" {
+            self.block.comments.push(comment);
+        }
     }
 
     /// `IF […]` before GOTO or THEN: what follows counts only where it is true.
@@ -254,6 +257,8 @@ impl LineReader<'_> {
             Target::Number(0) => self.dialect != Dialect::Sinumerik,
             // 3000 raises an alarm, 3006 shows a message and stops.
             Target::Number(3000 | 3006) => false,
+            // Whether DEBUG comments are shown anyone may say.
+            Target::Number(5599) => self.dialect == Dialect::Fanuc,
             Target::Number(number) => is_system(*number, self.dialect),
             Target::Name(name) | Target::Whole(name) => {
                 self.interpreter.system_name(name).is_some()
@@ -308,11 +313,27 @@ impl LineReader<'_> {
                     return self.unknown_name(name, from);
                 }
                 self.cursor.set(from + 1);
-                return self.bad_number(NumberError::Missing, from);
+                let homes = |word: &Word| word.letter == 'G' && word.value == 28.0;
+                if self.dialect != Dialect::Auto
+                    || !matches!(letter, b'X' | b'Y' | b'Z')
+                    || !self.block.words.iter().any(homes)
+                {
+                    return self.bad_number(NumberError::Missing, from);
+                }
+                // `G28 X` of controllers of printers: that axis goes home, from where it is.
+                point = false;
+                UNSET
             }
         };
         let column = self.cursor.column(from);
         self.accept(Word { letter: char::from(letter), value, column, point }, from);
+        let shows = letter == b'M' && matches!(whole(value), Some(117 | 118));
+        if shows && self.dialect == Dialect::Auto && !self.interpreter.rules.is_strict {
+            // What follows is a text for the display.
+            let text = self.cursor.rest().trim();
+            self.block.comments.push(format!("({})", text.replace(['(', ')'], "")));
+            self.cursor.skip_all();
+        }
     }
 
     /// Whether something comes next that is evaluated.

@@ -46,6 +46,7 @@ impl Interpreter {
         auxiliary: &mut Auxiliary,
     ) -> Demands<'a> {
         let mut demands = Demands::default();
+        let mut unknown = false;
         for (index, word) in block.words.iter().enumerate() {
             if word.letter != 'G' {
                 continue;
@@ -54,14 +55,21 @@ impl Interpreter {
                 words.use_up(index);
                 continue;
             }
-            let meaning =
-                match tenths(word).map(|number| (number, g_word(number, self.rules.is_strict))) {
-                    Some((number, Some(meaning))) => (number, meaning),
-                    _ => continue,
-                };
+            let meaning = tenths(word)
+                .and_then(|number| Some((number, g_word(number, self.rules.is_strict)?)));
+            let Some(meaning) = meaning else {
+                unknown = true;
+                continue;
+            };
             words.use_up(index);
             self.g_word(block, word, meaning, words, auxiliary, &mut demands);
         }
+        if unknown && self.rules.is_strict {
+            self.not_understood(block, words, "");
+        }
+        // Its axis words are not those of the motion that is in effect: a cycle's depth is no move there.
+        let known = demands.once.or(demands.motion).is_some() || demands.family.is_some();
+        demands.no_move |= unknown && !known && demands.groups & TAKES_AXES == 0;
         let both = demands.groups & TAKES_AXES != 0 && demands.motion.is_some();
         if both && self.rules.is_strict {
             self.refuse("two words of the block use its axes", block.start());

@@ -3,6 +3,9 @@
 /// The highest number of a parameter.
 pub(super) const LAST: u32 = 9_999;
 
+/// The highest with FANUC's words, where Haas has more.
+pub(super) const LAST_OF_HAAS: u32 = 10_999;
+
 /// The highest in RS274/NGC, as `LinuxCNC` has it.
 pub(super) const LAST_OF_NGC: u32 = 5_601;
 
@@ -67,7 +70,7 @@ impl Parameters {
     }
 
     pub(super) fn set_number(&mut self, number: u32, value: f64) {
-        let index = number.min(LAST) as usize;
+        let index = number.min(LAST_OF_HAAS) as usize;
         if self.numbered.len() <= index {
             self.numbered.resize(index + 1, UNSET);
         }

@@ -267,11 +267,15 @@ impl Passing {
 
     /// What stands for M6 where that is not known.
     fn change_by_hand(&mut self, out: &mut BlockWriter, origin: Origin) {
-        let (tool, pause) = (Decimal::of(self.tool.unwrap_or(0.0)), out.facts.pause);
-        out.comment(&format!("change to tool {tool}"));
+        let pause = out.facts.pause;
+        // Tools with a name have no number.
+        let tool = self.tool.filter(|tool| *tool != 0.0);
+        let change = tool.map_or("change of tool".into(), |tool| {
+            format!("change to tool {}", Decimal::of(tool))
+        });
+        out.comment(&change);
         out.words(pause);
-        let message =
-            format!("{pause} waits for the change to tool {tool}: the target knows no M6");
+        let message = format!("{pause} waits for the {change}: the target knows no M6");
         self.tell(Diagnostic::info("tool-change", message).with_origin(origin));
     }
 

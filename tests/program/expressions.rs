@@ -189,7 +189,7 @@ fn what_has_no_value_is_reported_and_moves_nothing() {
         ("#[-1]", "bad-parameter"),
         ("#10000", "bad-parameter"),
         ("#99999999999999999999", "number-too-large"),
-        ("#<_abs_x>", "unset-parameter"),
+        ("#<_abs_x>", "unknown-parameter"),
         ("#5410", "unknown-parameter"),
         ("#5420", "unknown-parameter"),
     ] {

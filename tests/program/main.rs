@@ -17,6 +17,7 @@ mod order;
 mod passed;
 mod planes;
 mod posts;
+mod refused;
 mod reported;
 mod sample;
 mod sinumerik;
