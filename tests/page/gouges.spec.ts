@@ -30,6 +30,32 @@ async function reddish(g41: G41Page, [x, y]: Point, reach: number): Promise<numb
   );
 }
 
+test("contours that cross at other heights are not red where no gouge is found", async ({
+  page,
+}) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const name = `${"two_circles_of_two_tools_".repeat(3)}.ngc`;
+  // From the middle onto the wall by an arc, once around, and back by an arc.
+  const circle = (r: number, z: number) =>
+    `G0 X50 Y50\nG1 Z${z} F250\nG41 D1 G3 X${50 + r} Y50 I${r / 2}\nG3 I${-r}\nG3 X50 Y50 I${-r / 2}\nG0 Z10\nG40\n`;
+  await g41.drop({ name, text: `G21 G90 G17\nG0 Z10\n${circle(20, -1)}${circle(15, -2)}M2\n` });
+  await expect(page.locator(".file-name")).toHaveText(name);
+  await page.getByRole("combobox", { name: "Profile" }).selectOption("linuxcnc");
+  await g41.settled();
+  await expect(page.locator("#diagnostics .summary")).not.toContainText("gouge");
+  const box = await g41.base.boundingBox();
+  if (!box) throw new Error("the canvas is not shown");
+  const middle: Point = [box.x + box.width / 2, box.y + box.height / 2];
+  expect(await reddish(g41, middle, Math.min(box.width, box.height) / 2 - 40)).toBe(0);
+  // The long name of the file pushes nothing out of sight.
+  for (const width of [1280, 1024, 390]) {
+    await page.setViewportSize({ width, height: 800 });
+    const save = await page.locator(".file .button.main").boundingBox();
+    expect(save ? save.x + save.width : Number.NaN).toBeLessThan(width - 12);
+  }
+});
+
 test("avoided, the corridor is hatched, listed first, and told with its area", async ({ page }) => {
   const g41 = new G41Page(page);
   await g41.open("rooms");

@@ -1,5 +1,6 @@
 // The static layer: grid, material, swept area, contour and tool path.
 
+import { findingsOf } from "../findings";
 import type { PictureClient } from "../large/picture-client";
 import type { LivePicture } from "../live/picture";
 import { isLeft, type Result, radiusOn } from "../result";
@@ -34,8 +35,10 @@ export function drawBase(
     drawing.draw(context, view, size, palette.strokes);
   } else if (result) {
     const shapes = shapesOf(result, { view, size, live });
+    // One contour may cross the wall of another, at another height: where nothing is found, nothing is red.
+    const isGouged = live !== undefined || findingsOf(result).some(({ kind }) => kind !== "uncut");
     inMillimetres(context, view, (px) => {
-      drawMaterial(context, shapes, result, palette, px, sightOf(view, size, 1));
+      drawMaterial(context, shapes, result, palette, px, sightOf(view, size, 1), isGouged);
     });
     drawFindings(context, view, result, palette, shapes.closed.length > 0);
     inMillimetres(context, view, (px) => {
@@ -62,6 +65,7 @@ function drawMaterial(
   palette: Palette,
   px: number,
   sight: Box,
+  isGouged: boolean,
 ): void {
   const material = new Path2D();
   // Pockets without an outline around them are cut into a plate without end.
@@ -82,7 +86,7 @@ function drawMaterial(
     context.lineWidth = width;
     context.stroke(cut);
     // A pixel and a half less than the tool, or every edge that is cut right would show red.
-    if (!isKnown || width < 6 * px) return;
+    if (!isGouged || !isKnown || width < 6 * px) return;
     context.save();
     context.clip(material, "evenodd");
     context.strokeStyle = palette.gouged;
