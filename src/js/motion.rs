@@ -174,7 +174,9 @@ fn limits_of(numbers: &[f64]) -> Limits {
 
 fn bad(LimitsError { name }: LimitsError) -> BadArgument {
     let must = match name {
-        "period" => "be a positive number within reason, longer where a motion has more than 8 million samples",
+        "period" => {
+            "be a positive number within reason, longer where a motion has more than 8 million samples"
+        }
         "cornerDeviation" => "be at least 0 and within reason",
         _ => "be a positive number within reason",
     };
