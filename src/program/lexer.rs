@@ -202,8 +202,8 @@ impl LineReader<'_> {
             let report = &mut self.interpreter.report;
             report.warning("unclosed-comment", "the comment has no end", origin, hint);
         }
-        // FANUC's blocks end with `;`.
-        if comment != ";" {
+        // Comments that say nothing; FANUC's blocks end with `;`.
+        if !matches!(&*comment, ";" | "()") {
             self.block.comments.push(comment);
         }
     }

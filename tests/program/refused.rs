@@ -68,6 +68,11 @@ fn texts_for_the_display_are_no_words() {
     let shown = read("G21\nM117 Hello World 5%\nG0 X1 Y0\n");
     assert_eq!(shown.diagnostics, [], "nothing is wrong");
     assert!(steps(&shown)[0].contains("Hello World 5%"), "{:?}", steps(&shown));
+    assert_eq!(
+        steps(&read_clean("G0 X1 Y0;\n;\n()\nX2 ; ONE\n"))[..2],
+        ["R 1 0 0", "; ONE"],
+        "and what says nothing is none"
+    );
     let warned = found(&read("M117\nG0 X1 Y0\n")).iter().any(|found| found.1 == WARNING);
     assert!(!warned, "nor without a text");
 }
