@@ -55,6 +55,21 @@ fn linuxcnc_gets_all_words_as_they_are() {
 }
 
 #[test]
+fn what_no_word_ends_stands_between_percent_signs_for_linuxcnc() {
+    // Its interpreter 2.9: «File ended with no percent sign or program end».
+    let text = "%\nG21 G90\nG0 X1 Y2\nG1 X5 F100\n%\n";
+    let written = write(text, Target::LinuxCnc).text;
+    let expected = ["%", "G21 G90 G91.1 G17 G40 G94", "G0 X1 Y2", "G1 X5 F100", "%"];
+    assert_eq!(lines(&written), expected, "{written}");
+    assert_eq!(write(&written, Target::LinuxCnc).text, written, "and so it stays");
+    for end in ["M2", "M30"] {
+        let written = write(&format!("G0 X1 Y2\n{end}\n"), Target::LinuxCnc).text;
+        assert!(!written.contains('%'), "{end} ends it: {written}");
+    }
+    assert!(!write(text, Target::Grbl).text.contains('%'), "grbl needs none");
+}
+
+#[test]
 fn grbl_waits_for_the_tool_and_is_told_what_it_misses() {
     let written = write(WORDS, Target::Grbl);
     let text = &written.text;

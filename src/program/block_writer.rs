@@ -47,6 +47,8 @@ pub(super) struct BlockWriter {
     feed: [Option<i64>; 2],
     /// The number of the program.
     pub(super) program: u32,
+    /// Whether a word has ended it.
+    pub(super) has_ended: bool,
     /// The number of the last block; in Heidenhain's language of the next one.
     number: u32,
     /// Words that are to stand in the next block that moves.
@@ -71,6 +73,7 @@ impl BlockWriter {
             plane: Plane::Xy,
             feed: [None; 2],
             program: number,
+            has_ended: false,
             number: 0,
             prefix: String::new(),
             suffix: String::new(),
@@ -99,7 +102,10 @@ impl BlockWriter {
             let prefix = std::mem::take(&mut self.prefix);
             self.words(&prefix);
         }
-        if self.facts.tape {
+        if self.facts.must_end && !self.has_ended {
+            self.text.insert_str(0, "%\n");
+        }
+        if self.facts.tape || self.facts.must_end && !self.has_ended {
             self.text.push_str("%\n");
         }
         self.text

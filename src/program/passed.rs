@@ -239,6 +239,7 @@ impl Passing {
         if number == 60 {
             out.written = [false; 3];
         }
+        out.has_ended |= matches!(number, 20 | 300);
         if out.facts.single && matches!(number, 30 | 40) {
             self.spindle[0] = Some(value);
             self.spindle[1] = find(parameters, 'S').or(self.spindle[1]);

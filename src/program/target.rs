@@ -74,6 +74,8 @@ pub(super) struct Facts {
     pub(super) point: bool,
     /// Whether a program stands between `%`, has a number (O) and numbers its blocks (N).
     pub(super) tape: bool,
+    /// Whether a program that neither M2 nor M30 ends has to stand between `%`.
+    pub(super) must_end: bool,
     /// Whether it speaks Heidenhain's language in place of G-code.
     pub(super) klartext: bool,
     /// Whether a motion word stays in effect; else each block repeats it.
@@ -134,6 +136,7 @@ static GRBL: Facts = Facts {
     feed_decimals: 3,
     point: false,
     tape: false,
+    must_end: false,
     klartext: false,
     modal: true,
     single: false,
@@ -168,6 +171,7 @@ static GRBL_HAL: Facts = Facts {
 };
 
 static LINUX_CNC: Facts = Facts {
+    must_end: true,
     header: &["G21 G90 G91.1 G17 G40 G94"],
     splines: true,
     axes: true,
