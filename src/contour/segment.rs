@@ -1,5 +1,7 @@
 //! Contours: ordered segments with what belongs to each.
 
+use std::ops::Range;
+
 use glam::DVec2;
 
 use super::{Plane, Wish};
@@ -148,6 +150,39 @@ impl Contour {
     #[must_use]
     pub fn start(&self) -> DVec2 {
         self.segments[0].curve.start()
+    }
+
+    /// An open contour of some of its segments, with what happens between them; the lead-in, and what
+    /// happens behind it, comes with the first segment, and the lead-out with the last.
+    #[must_use]
+    pub(crate) fn part(&self, range: Range<usize>) -> Self {
+        let ends = range.end == self.segments.len();
+        let mut events = Vec::new();
+        for event in &self.events {
+            let Some(before) = event.before.checked_sub(range.start) else { continue };
+            if (before > 0 || range.start == 0) && (event.before < range.end || ends) {
+                events.push(Event { before, ..event.clone() });
+            }
+        }
+        Self {
+            closed: false,
+            lead_in: self.lead_in.filter(|_| range.start == 0),
+            lead_out: self.lead_out.filter(|_| ends),
+            wall: self.wall.filter(|_| ends),
+            events,
+            segments: self.segments[range].to_vec(),
+        }
+    }
+
+    /// Puts a segment before the first, and one behind the last.
+    pub(crate) fn extend(&mut self, first: Option<Segment>, last: Option<Segment>) {
+        if let Some(first) = first {
+            self.segments.insert(0, first);
+            for event in &mut self.events {
+                event.before += 1;
+            }
+        }
+        self.segments.extend(last);
     }
 
     /// The same segments without leads, and without what happens between them; closed if they end

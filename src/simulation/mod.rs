@@ -3,6 +3,7 @@
 mod ahead;
 mod changes;
 mod judge;
+mod lap_by_lap;
 mod passed_words;
 mod planned;
 mod profile;

@@ -6,6 +6,7 @@ use super::Tools;
 use super::ahead::with_look_ahead;
 use super::changes::{cross_over, leave_out_last, start_from};
 use super::judge::judge_laps;
+use super::lap_by_lap::avoid_laps;
 use super::spline_blocks::name_blocks;
 use super::walls::laps;
 use crate::compensation::{
@@ -99,6 +100,27 @@ impl ProgramCompensation {
         }
         self.course.path
     }
+}
+
+/// The path of a contour without what the tool cannot reach.
+fn avoided(
+    programmed: &ProgrammedContour,
+    walls: Option<&Walls>,
+    tool: Tool,
+    options: &Options,
+) -> ToolPath {
+    let contour = &programmed.contour;
+    if options.passes != Passes::One {
+        return compensate_all(&[(contour, tool)], options);
+    }
+    let by_lap = || avoid_laps(programmed, tool, options);
+    by_lap().unwrap_or_else(|| match walls {
+        Some(walls) => {
+            let (contour, walls) = walls.split(contour.clone());
+            compensate_beside(&contour, walls, tool, options)
+        }
+        None => compensate_all(&[(contour, tool)], options),
+    })
 }
 
 /// The path of a contour with what it cuts; `runs_in_or_out` tells that not all of it is wall.
@@ -231,13 +253,10 @@ impl Course {
             self.is_stopped = !finished;
             path
         } else {
-            let mut path = match &walls {
-                Some(walls) if avoids && options.passes == Passes::One => {
-                    let (contour, walls) = walls.split(contour.clone());
-                    compensate_beside(&contour, walls, tool, options)
-                }
-                _ if avoids => compensate_all(&[(contour, tool)], options),
-                _ => reported(programmed, walls.is_some(), tool, options),
+            let mut path = if avoids {
+                avoided(programmed, walls.as_ref(), tool, options)
+            } else {
+                reported(programmed, walls.is_some(), tool, options)
             };
             set_feeds(&mut path, contour);
             path

@@ -52,30 +52,41 @@ pub(super) fn laps(programmed: &ProgrammedContour, side: Side) -> Vec<Lap<'_>> {
 /// How many segments are the first lap of some that come back to where they began, go on the same way,
 /// and come back again; otherwise all.
 fn lap_of(segments: &[Segment]) -> usize {
+    let goes_on = |count: usize| {
+        let along = segments.get(count)?.curve.tangent(0.0);
+        returns(segments, count, Some(along))
+    };
     for count in 1..segments.len() {
+        let Some(mut distance) = goes_on(count) else { continue };
         let rest = &segments[count..];
-        if returns(segments, count, Some(rest[0].curve.tangent(0.0)))
-            && (1..=rest.len()).any(|count| returns(rest, count, None))
-        {
-            return count;
+        if (1..=rest.len()).any(|count| returns(rest, count, None).is_some()) {
+            // Short segments that come back beside the way in may be near to it before they end on it.
+            let mut nearest = count;
+            while let Some(next) = goes_on(nearest + 1).filter(|next| *next < distance) {
+                (nearest, distance) = (nearest + 1, next);
+            }
+            return nearest;
         }
     }
     segments.len()
 }
 
-/// Whether the last of the first `count` segments ends on one of those that it ran in by, which goes
-/// on `along` a direction there if one is given.
-fn returns(segments: &[Segment], count: usize, along: Option<DVec2>) -> bool {
+/// How far the end of the first `count` segments is from one of those that they ran in by, which goes on
+/// `along` a direction there if one is given [mm]; `None` where that is no touch.
+fn returns(segments: &[Segment], count: usize, along: Option<DVec2>) -> Option<f64> {
     let at = segments[count - 1].curve.end();
-    segments[..count.min(Walls::MOST)].iter().enumerate().any(|(index, Segment { curve, .. })| {
+    let ran_in = segments[..count.min(Walls::MOST)].iter().enumerate();
+    let mut distances = ran_in.filter_map(|(index, Segment { curve, .. })| {
         if curve.bounds().distance(at) > Walls::TOUCH {
-            return false;
+            return None;
         }
         let nearest = curve.nearest(at);
-        nearest.distance <= Walls::TOUCH
+        (nearest.distance <= Walls::TOUCH
             && along.is_none_or(|along| along.dot(curve.tangent(nearest.t)) >= SAME_WAY)
-            && is_long(&segments[index + 1..count])
-    })
+            && is_long(&segments[index + 1..count]))
+        .then_some(nearest.distance)
+    });
+    distances.next()
 }
 
 /// Whether segments are long enough for a lap.

@@ -68,7 +68,7 @@ impl Stitcher<'_> {
             }
         }
         for job in 0..jobs.len() {
-            self.events_before(job, usize::MAX);
+            self.events_before(job, usize::MAX, self.work.jobs[job].contour.start());
         }
     }
 
@@ -114,7 +114,7 @@ impl Stitcher<'_> {
     /// Appends the moves of a chain.
     fn add(&mut self, chain: &Chain) {
         let list = &chain.stretches;
-        let first_move = self.builder.path.moves.len();
+        let mut first_move = self.builder.path.moves.len();
         let mut k = 0;
         // Where the next move starts, if that is not where its piece does.
         let mut start = None;
@@ -138,7 +138,10 @@ impl Stitcher<'_> {
             let piece = &self.work.pieces[stretch.piece];
             let of = self.work.units[unit];
             let segment = self.work.segment(unit);
-            self.events_before(of.job as usize, of.segment as usize);
+            self.events_before(of.job as usize, of.segment as usize, self.point(list[0], false));
+            if before.is_none() {
+                first_move = self.builder.path.moves.len();
+            }
             if let Kind::Corner(index) = of.kind {
                 let after = list.get(k).or(list.first().filter(|_| chain.closed)).copied();
                 let whole = stretch.from == 0.0 && to == 1.0;
@@ -362,10 +365,10 @@ impl Stitcher<'_> {
         from + (to - from) * along
     }
 
-    /// Lets happen what is programmed up to the start of a segment and has not happened yet.
-    fn events_before(&mut self, job: usize, segment: usize) {
+    /// Lets happen what is programmed up to the start of a segment and has not happened yet, where the
+    /// tool is; `start` [mm] if it is nowhere yet.
+    fn events_before(&mut self, job: usize, segment: usize, start: DVec2) {
         let contour = self.work.jobs[job].contour;
-        let start = contour.start();
         while let Some(event) = contour.events().get(self.events[job])
             && event.before <= segment
         {
