@@ -30,6 +30,15 @@ test("a corner becomes the path that the textbook's formulas give", async () => 
   assert.doesNotMatch(out, /G4[12]/);
 });
 
+test("what a block has each time that it is run is told once, with how often", async () => {
+  const lap = "G0 X-2 Y0\nG1 G41 D1 X0 F9\nY40\nG40 X-20 Y60\n";
+  const input = `G0 Z5\no1 repeat [3]\n${lap}o1 endrepeat\nM2\n`;
+  const { err } = await g41(["convert", "-", "--radius", "3"], { input });
+  const short = err.split("\n").filter((line) => line.includes("short-lead-in"));
+  assert.equal(short.length, 1, err);
+  assert.match(short[0], /:4: warning: the lead-in is 2 mm long, .*\(short-lead-in\), 3 times$/);
+});
+
 test("npx runs it from an installed package", async () => {
   const args = [
     "exec",

@@ -7,7 +7,8 @@ const bold = "1";
 const colours = { error: "1;31", warning: "1;33", info: "1;36" };
 
 /**
- * Writes `FILE:LINE:COLUMN: error: message (code)`, and the hint below it.
+ * Writes `FILE:LINE:COLUMN: error: message (code)`, and the hint below it; what a block that is run several
+ * times has several times, once and how often.
  *
  * @param {string} name of the file
  * @param {readonly Diagnostic[]} diagnostics
@@ -15,11 +16,26 @@ const colours = { error: "1;31", warning: "1;33", info: "1;36" };
 export function report(name, diagnostics) {
   const { stderr } = process;
   const paint = painter(stderr);
-  for (const { severity, code, message, hint, origin } of diagnostics) {
+  /** @type {Map<string, { first: Diagnostic, times: number }>} */
+  const told = new Map();
+  for (const first of diagnostics) {
+    const key = JSON.stringify([
+      first.severity,
+      first.code,
+      first.message,
+      first.hint,
+      first.origin,
+    ]);
+    const same = told.get(key);
+    if (same) same.times += 1;
+    else told.set(key, { first, times: 1 });
+  }
+  for (const { first, times } of told.values()) {
+    const { severity, code, message, hint, origin } = first;
     const block = origin && "block" in origin ? origin : undefined;
     const place = [name, block?.block, block?.column].filter((part) => part !== undefined);
     const where = paint(bold, printable(`${place.join(":")}:`));
-    const what = printable(`${message} (${code})`);
+    const what = printable(`${message} (${code})${times > 1 ? `, ${times} times` : ""}`);
     stderr.write(`${where} ${paint(colours[severity], `${severity}:`)} ${what}\n`);
     if (hint) {
       stderr.write(`  hint: ${printable(hint)}\n`);
