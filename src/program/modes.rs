@@ -8,6 +8,7 @@ use super::coordinates::AXES;
 use super::dialect::Dialect;
 use super::g_words::{Act, Compensation, GWord, Motion, g_word};
 use super::interpret::Interpreter;
+use super::number::whole;
 use super::words::{Words, tenths};
 use crate::contour::Plane;
 use crate::diagnostic::Diagnostic;
@@ -75,6 +76,23 @@ impl Interpreter {
             self.refuse("two words of the block use its axes", block.start());
         }
         demands
+    }
+
+    /// G98 and G99, which are for cycles; a lathe of FANUC's counts its feeds by them.
+    fn retract(&mut self, block: &Block, word: &Word, to_r: bool) {
+        self.modal.retract_to_r = to_r;
+        let cycle = |word: &Word| {
+            word.letter == 'G' && matches!(whole(word.value), Some(73..=79 | 81..=89))
+        };
+        let lathe = to_r && self.modal.plane == Plane::Zx && self.dialect == Dialect::Fanuc;
+        if lathe && !block.words.iter().any(cycle) {
+            self.report.warning(
+                "doubtful-feed",
+                "G99 in G18: a lathe takes F by the revolution, here it stays by the minute",
+                block.origin_at(word.column),
+                "write G95 for feeds by the revolution",
+            );
+        }
     }
 
     fn g_word<'a>(
@@ -148,7 +166,7 @@ impl Interpreter {
             GWord::Relative(relative) => modal.relative = relative,
             GWord::AbsoluteCenter(absolute) => modal.absolute_center = absolute,
             GWord::Diameter(diameter) => modal.diameter = diameter,
-            GWord::RetractToR(to_r) => modal.retract_to_r = to_r,
+            GWord::RetractToR(to_r) => self.retract(block, word, to_r),
             GWord::FeedMode(mode) => modal.feed.set_mode(mode, strict),
             GWord::SurfaceSpeed(on) => {
                 // With D the same word sets another limit.

@@ -4,7 +4,7 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use g41::program::{Dialect, Program, Rules, interpret};
 
-use super::sample::{ERROR, WARNING, found, read, read_clean, steps, xs};
+use super::sample::{ERROR, WARNING, codes, found, read, read_clean, steps, xs};
 
 #[test]
 fn the_end_of_cycles_beside_another_motion_word_leaves_that_one() {
@@ -82,6 +82,17 @@ fn a_lathe_program_that_does_not_say_its_plane_is_told() {
     assert_eq!(codes, ["doubtful-plane"], "Y is never stated");
     let said = read(&text.replace("G21", "G21 G18"));
     assert_eq!(said.diagnostics, [], "with G18 all is well");
+}
+
+#[test]
+fn a_lathe_program_that_counts_feeds_by_g99_is_told() {
+    let lathe = "%\nO1\nG00 G18 G20 G40 G80 G99\nS500 M3\nG0 X1 Z1\nG1 Z0 F0.01\nM30\n%\n";
+    assert_eq!(codes(lathe, Dialect::Fanuc), ["doubtful-feed"], "F.01 is no feed by the minute");
+    for sure in [lathe.replace("G18", "G17"), lathe.replace("G99", "G95")] {
+        assert_eq!(codes(&sure, Dialect::Fanuc), [""; 0], "{sure}");
+    }
+    let drilled = "G18 G0 X1 Y5 Z1\nG99 G81 X2 Y-3 R1 F60\nG80\n";
+    assert_eq!(codes(drilled, Dialect::Fanuc), [""; 0], "a cycle goes back to R");
 }
 
 #[test]
