@@ -241,7 +241,7 @@ impl Assembly<'_> {
         let events = self.contour.events();
         let first = events.partition_point(|event| event.before < before);
         for event in events[first..].iter().take_while(|event| event.before == before) {
-            builder.event(event, start);
+            builder.path.happen(event, start);
         }
     }
 

@@ -2,9 +2,7 @@
 
 use glam::DVec2;
 
-use crate::contour::{
-    Attributes, AuxiliaryWords, Event, EventKind, Move, MoveCurve, Role, ToolPath,
-};
+use crate::contour::{Attributes, Move, MoveCurve, Role, ToolPath};
 use crate::geometry::{Line, MIN_LENGTH};
 
 /// A tool path in the making.
@@ -65,23 +63,6 @@ impl PathBuilder {
                 self.moves(&[MoveCurve::Vertical(from)], role, with);
             }
             Err(_) => {}
-        }
-    }
-
-    /// What happens between two segments.
-    pub(super) fn event(&mut self, event: &Event, at: DVec2) {
-        match &event.kind {
-            EventKind::Words(words) => self.path.words.push(AuxiliaryWords {
-                before: self.path.moves.len(),
-                words: words.clone(),
-                reset: None,
-                origin: event.origin,
-            }),
-            EventKind::Stop => {}
-            EventKind::Vertical(attributes) => {
-                let at = self.position().unwrap_or(at);
-                self.push(MoveCurve::Vertical(at), Role::Segment, attributes, attributes.heights);
-            }
         }
     }
 

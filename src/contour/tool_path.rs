@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::{Plane, Transition};
+use super::{Attributes, Event, EventKind, Plane, Transition};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{
     Arc, Bounds, Cubic, Curve, Involute, Line, Nearest, flatten_arc, flatten_cubic,
@@ -287,6 +287,26 @@ pub struct ToolPath {
 }
 
 impl ToolPath {
+    /// Lets happen what is programmed between two segments, where the tool is; `start` [mm] if it is
+    /// nowhere yet.
+    pub(crate) fn happen(&mut self, event: &Event, start: DVec2) {
+        match &event.kind {
+            EventKind::Words(words) => self.words.push(AuxiliaryWords {
+                before: self.moves.len(),
+                words: words.clone(),
+                reset: None,
+                origin: event.origin,
+            }),
+            EventKind::Stop => {}
+            EventKind::Vertical(attributes) => {
+                let Attributes { origin, feed, rapid, plane, heights, .. } = *attributes;
+                let at = self.moves.last().map_or(start, |last| last.curve.end());
+                let (curve, role) = (MoveCurve::Vertical(at), Role::Segment);
+                self.moves.push(Move { curve, role, rapid, feed, plane, heights, origin });
+            }
+        }
+    }
+
     /// Appends another path after this one.
     pub fn append(&mut self, mut other: Self) {
         for words in &mut other.words {

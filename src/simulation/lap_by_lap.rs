@@ -7,10 +7,7 @@
 use std::ops::Range;
 
 use crate::compensation::{Options, Output, compensate_beside};
-use crate::contour::{
-    Attributes, AuxiliaryWords, Contour, EventKind, Move, MoveCurve, Role, Segment, Side, Tool,
-    ToolPath, Walls,
-};
+use crate::contour::{Contour, Move, MoveCurve, Role, Segment, Side, Tool, ToolPath, Walls};
 use crate::diagnostic::Origin;
 use crate::geometry::{Curve, Line, MIN_LENGTH};
 use crate::program::{ContourEnd, ContourStart, ProgrammedContour};
@@ -43,9 +40,8 @@ pub(super) fn avoid_laps(
         let (along, walls) = with_neighbours(contour, from..until, tool.side());
         let mut own = compensate_beside(&along, walls, tool, options);
         leave_out_beside(&mut own);
-        if from > 0 {
-            happen(&mut path, contour, from);
-        }
+        let between = contour.events().iter().filter(|event| from > 0 && event.before == from);
+        between.for_each(|event| path.happen(event, contour.start()));
         follow(&mut path, own, options.usable_tolerance());
         (from, next) = (until, until + count);
     }
@@ -142,27 +138,6 @@ fn leave_out_beside(path: &mut ToolPath) {
     path.diagnostics.retain(|found| found.origin != Some(BESIDE));
     for uncut in &mut path.uncut {
         uncut.segments.retain(|segment| *segment != BESIDE);
-    }
-}
-
-/// Lets happen what is programmed between two laps, where the first left the tool.
-fn happen(path: &mut ToolPath, contour: &Contour, segment: usize) {
-    for event in contour.events().iter().filter(|event| event.before == segment) {
-        match &event.kind {
-            EventKind::Words(words) => path.words.push(AuxiliaryWords {
-                before: path.moves.len(),
-                words: words.clone(),
-                reset: None,
-                origin: event.origin,
-            }),
-            EventKind::Stop => {}
-            EventKind::Vertical(attributes) => {
-                let Attributes { origin, feed, rapid, plane, heights, .. } = *attributes;
-                let at = path.moves.last().map_or(contour.start(), |last| last.curve.end());
-                let (curve, role) = (MoveCurve::Vertical(at), Role::Segment);
-                path.moves.push(Move { curve, role, rapid, feed, plane, heights, origin });
-            }
-        }
     }
 }
 

@@ -372,7 +372,7 @@ impl Stitcher<'_> {
         while let Some(event) = contour.events().get(self.events[job])
             && event.before <= segment
         {
-            self.builder.event(event, start);
+            self.builder.path.happen(event, start);
             self.events[job] += 1;
         }
     }
