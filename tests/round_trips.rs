@@ -2,6 +2,7 @@
 //! it makes the path that was asked for, so does the reader, and writing it again changes nothing.
 #![cfg(not(target_arch = "wasm32"))]
 
+use std::f64::consts::TAU;
 use std::fs;
 use std::path::Path;
 
@@ -12,10 +13,12 @@ use g41::program::{Dialect, EmitOptions, Program, Rules, SplineOutput, Target, e
 use g41::simulation::{Tools, compensate_program};
 use glam::{DVec2, DVec3};
 
+mod common;
 #[path = "common/controller.rs"]
 mod controller;
 #[path = "common/klartext.rs"]
 mod klartext;
+use common::random::Random;
 use controller::run;
 
 /// Tool radius [mm]: small enough for every contour of the programs.
@@ -207,6 +210,41 @@ fn lines_and_arcs_come_back_within_a_tenth_of_a_micrometre() {
                 let same = |other: &DVec3| other.distance(*end) < 1e-4;
                 let short = before.len() > after.len();
                 assert!(rest.any(same) || short, "{what}: nothing ends at {end}");
+            }
+        }
+    }
+}
+
+#[test]
+fn arcs_of_any_sweep_stay_where_they_are_when_they_are_written_again() {
+    let mut random = Random::new(7);
+    for case in 0..4_000 {
+        let radius = 10f64.powf(random.within(-1.0, 3.0));
+        let [from, close] = [random.within(0.0, TAU), 10f64.powf(random.within(-2.0, 0.0))];
+        // Many of them lack just a bit of a full circle.
+        let sweep = if case % 2 == 0 { TAU * (1.0 - 0.2 * close) } else { random.within(0.1, TAU) };
+        let sweep = if case % 4 < 2 { sweep } else { -sweep };
+        let at = |angle: f64| DVec2::from_angle(angle) * radius;
+        let (start, end) = (at(from), at(from + sweep));
+        let g = if sweep < 0.0 { 2 } else { 3 };
+        let text = format!(
+            "G21 G90 G17\nG0 X{:.6} Y{:.6} Z0\nG{g} X{:.6} Y{:.6} I{:.6} J{:.6} F100\nG1 X0 Y0\n",
+            start.x, start.y, end.x, end.y, -start.x, -start.y
+        );
+        for target in [Target::Grbl, Target::Fanuc30I] {
+            let written = emit(&path_of(&text), &options(target)).text;
+            let again = path_of(&written);
+            let rewritten = emit(&again, &options(target)).text;
+            assert_eq!(rewritten, written, "case {case} for {target:?}: {text}");
+            for step in &again.moves {
+                let MoveCurve::Arc(arc) = &step.curve else { continue };
+                for share in [0.1, 0.5, 0.9] {
+                    let off = (arc.point(share).length() - radius).abs();
+                    assert!(
+                        off < rounding(target),
+                        "case {case}: {off} off for {target:?}: {text}"
+                    );
+                }
             }
         }
     }

@@ -22,6 +22,9 @@ pub struct Arc {
     sweep: f64,
 }
 
+/// No program rounds its coordinates to less than this; what radii differ by less is noise [mm].
+const LEAST_ROUNDING: f64 = 1e-7;
+
 /// Which of the two arcs of a given radius is meant.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum RadiusForm {
@@ -37,8 +40,8 @@ impl Arc {
     ///
     /// Programs round coordinates, so the two radii may differ by up to `tolerance` [mm]; the
     /// centre is then moved to the nearest point that is equally far from both ends. Where that is
-    /// farther than `tolerance`, on an arc of more than half a circle, the end is moved onto the
-    /// circle about the centre instead.
+    /// farther than the radii differ, on an arc of more than half a circle, the end is moved onto
+    /// the circle about the centre instead, unless the tolerance is infinite.
     ///
     /// # Errors
     /// [`CurveError::OutOfRange`], [`CurveError::ZeroLength`] where the centre is on the start, or
@@ -69,7 +72,8 @@ impl Arc {
         let along = (end - start).normalize();
         let shift = (center - middle).dot(along);
         let sweep = sweep_between(start - center, end - center, clockwise);
-        if sweep.abs() > PI && shift.abs() > tolerance {
+        let apart = (radii.0 - radii.1).abs().max(LEAST_ROUNDING);
+        if sweep.abs() > PI && shift.abs() > apart && tolerance.is_finite() {
             // Between ends that are close, a micrometre of radius turns the bisector by degrees,
             // and most of the circle would be somewhere else.
             let end = center + (end - center) * (radii.0 / radii.1);

@@ -16,7 +16,7 @@ use super::crossing::{Crossing, ends};
 use super::explained::Explanations;
 use super::passed::{Passing, has_frame, program_number};
 use super::target::Target;
-use crate::contour::{AuxiliaryWords, Move, MoveCurve, Plane, ToolPath};
+use crate::contour::{ARC_TOLERANCE, AuxiliaryWords, Move, MoveCurve, Plane, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Arc, ArcOrLine, Cubic, Decimal, MIN_LENGTH, fit_arcs, sin_cos};
 
@@ -406,24 +406,8 @@ impl Emitter {
             self.out.arc(arc.is_clockwise(), plane, to, offset);
             return;
         }
-        let end = self.in_plane(plane, to);
-        let mut offset = units(arc.center() - start);
-        if sweep.abs() < PI && start != end {
-            // Equally far from both ends as written. Beyond half a circle their rounding would be
-            // magnified. Rounded, it is not quite so any more: what is read and written again must
-            // stay as it is.
-            let chord = end - start;
-            let mut center = arc.center() - start;
-            for round in 0..ROUNDS {
-                center -= chord * ((center - 0.5 * chord).dot(chord) / chord.length_squared());
-                let before = std::mem::replace(&mut offset, units(center));
-                if round > 0 && offset == before {
-                    break;
-                }
-                center = self.way(offset);
-            }
-        }
-        let center = start + self.way(offset);
+        let (to, offset) = self.stable(arc, plane, to);
+        let (end, center) = (self.in_plane(plane, to), start + self.way(offset));
         let written = Arc::from_center(start, end, center, arc.is_clockwise(), f64::INFINITY);
         // Rounding moves the ends by parts of a radian at most; more is a turn gained or lost.
         let keeps_its_sweep = written.is_ok_and(|w| (w.sweep() - sweep).abs() < 1.0);
@@ -437,6 +421,36 @@ impl Emitter {
         } else {
             self.out.line(to, plane);
         }
+    }
+
+    /// The end of an arc, rounded to `to`, and the way to its centre that stay as they are when they
+    /// are read and written again: equally far from both ends as written, which rounded is not quite
+    /// so any more, and beyond half a circle whatever reading makes of it.
+    fn stable(&self, arc: &Arc, plane: Plane, mut to: [i64; 3]) -> ([i64; 3], [i64; 2]) {
+        let start = self.in_plane(plane, self.out.at);
+        let units = |point: DVec2| [self.out.units(point.x), self.out.units(point.y)];
+        // Short arcs are always moved, those of a control that winds in or out above all.
+        let tolerance = if arc.sweep().abs() > PI { ARC_TOLERANCE } else { f64::INFINITY };
+        let mut way = arc.center() - start;
+        let mut offset = units(way);
+        for round in 0..ROUNDS {
+            let end = self.in_plane(plane, to);
+            let read = Arc::from_center(start, end, start + way, arc.is_clockwise(), tolerance);
+            let Ok(read) = read else { break };
+            let before = (to, std::mem::replace(&mut offset, units(read.center() - start)));
+            let [x, y] = units(read.end() - end);
+            // Ends that are farther off are so in the program.
+            if x.abs().max(y.abs()) <= 2 {
+                let [first, second, _] = plane.axes();
+                to[first] += x;
+                to[second] += y;
+            }
+            if round > 0 && (to, offset) == before {
+                break;
+            }
+            way = self.way(offset);
+        }
+        (to, offset)
     }
 
     /// A way as written, in a plane [mm].

@@ -111,7 +111,20 @@ fn a_rounded_centre_moves_to_the_nearest_place_equally_far_from_both_ends() {
         let arc = Arc::from_center(start, end, given, exact.is_clockwise(), 0.01)
             .unwrap_or_else(|e| panic!("case {case}: {e}"));
         let center = arc.center();
-        near(center.distance(start), center.distance(end), 1e-10, "radii");
+        let radii = (given.distance(start), given.distance(end));
+        let apart = (radii.0 - radii.1).abs();
+        near(center.distance(arc.start()), center.distance(arc.end()), 1e-10, "radii");
+        if arc.sweep().abs() > PI && arc.end() != end {
+            near_point(center, given, 0.0, "where the end moves, the centre stays");
+            assert!(arc.end().distance(end) < apart + 1e-10, "case {case}: {arc:?} ends at {end}");
+            continue;
+        }
+        if arc.sweep().abs() > PI {
+            assert!(
+                center.distance(given) < apart + 1e-10,
+                "case {case}: {given} moves to {center}"
+            );
+        }
         // Nearest: the way from the given centre is along the chord.
         near((center - given).perp_dot((end - start).normalize()), 0.0, 1e-10, "way of the centre");
         near(arc.radius(), center.distance(start), 1e-10, "radius");
