@@ -209,7 +209,8 @@ impl Interpreter {
         let at = block.origin_at(found.column);
         match tenths {
             20 | 300 => auxiliary.end = true,
-            0 | 10 | 600 => auxiliary.stops = true,
+            // M600 is Smoothieware's: it stands there for a change of tool.
+            0 | 10 | 600 | 6000 => auxiliary.stops = true,
             30 | 40 => self.modal.spindle = Some(tenths / 10),
             50 => self.modal.spindle = None,
             60 | 610 => {

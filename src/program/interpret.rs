@@ -176,6 +176,8 @@ impl Interpreter {
         }
         if stops {
             self.course.stop(block.origin());
+            // The operator may have moved the machine, above all to change a tool by hand.
+            self.modal.restate = [self.course.is_free(); 3];
         }
         if end {
             self.finish_spline();

@@ -69,8 +69,8 @@ pub(super) struct Modal {
     pub(super) position: DVec3,
     /// Which coordinates of the position the program has stated; the others are assumed.
     pub(super) stated: [bool; 3],
-    /// Of which coordinates it is not sure, since a tool change, that the machine is where the
-    /// program is; the next block that states one is written, even if it moves nothing.
+    /// Of which coordinates it is not sure, since a tool change or a stop, that the machine is where
+    /// the program is; the next block that states one is written, even if it moves nothing.
     pub(super) restate: [bool; 3],
     /// Where the other axes are, A B C [degrees] and U V W [mm], once the program has said so.
     pub(super) others: [Option<f64>; 6],

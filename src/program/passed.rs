@@ -236,9 +236,6 @@ impl Passing {
     fn m_word(&mut self, line: &mut String, command: Command, out: &mut BlockWriter) {
         let Command { value, parameters, origin } = command;
         let number = tenths(value);
-        if number == 60 {
-            out.written = [false; 3];
-        }
         out.has_ended |= matches!(number, 20 | 300);
         if out.facts.single && matches!(number, 30 | 40) {
             self.spindle[0] = Some(value);
@@ -250,6 +247,10 @@ impl Passing {
         } else if u32::try_from(number).is_ok_and(|number| out.facts.knows_m(number)) {
             if number == 50 {
                 self.spindle[0] = None;
+            }
+            if matches!(number, 0 | 10 | 60 | 600 | 6000) {
+                // The operator may move the machine.
+                out.written = [false; 3];
             }
             command.push(line, 'M', out);
         } else if out.facts.single && matches!(number, 20 | 300) {
