@@ -28,11 +28,18 @@ const panics = [
 const words = [
   /^<.+ as core(\[\w+\])?::fmt::(Debug|LowerHex|UpperHex)>::fmt\b/,
   /\bstd(\[\w+\])?::panicking::(\w+::)*\w+Payload\b/,
+  /\bcore(\[\w+\])?::num::flt2dec::/,
+];
+
+/** The tables behind the digits of a number, which nothing reads any more: first words, and bytes. */
+const tables = [
+  { begins: [0x3d1a45df, 0xe61acf03], length: 81 * 16 },
+  { begins: [0x85acef81, 0x2d6d415b], length: (3 + 5 + 10 + 19) * 4 },
 ];
 
 /** The wasm in `bytes`, which still has its names, with nothing to say when it panics. */
 export function withoutPanicMessages(bytes) {
-  const module = binaryen.readBinary(withoutLocations(bytes));
+  const module = binaryen.readBinary(withoutTables(withoutLocations(bytes)));
   for (let i = 0; i < module.getNumFunctions(); i += 1) {
     const reference = module.getFunctionByIndex(i);
     const { name, base, results } = binaryen.getFunctionInfo(reference);
@@ -66,6 +73,18 @@ function withoutLocations(bytes) {
     copy.fill(0, at, at + length);
   }
   return copy;
+}
+
+/** Blanks the tables; where the standard library has others, they stay. */
+function withoutTables(bytes) {
+  const file = Buffer.from(bytes.buffer);
+  for (const { begins, length } of tables) {
+    const at = file.indexOf(new Uint8Array(Uint32Array.from(begins).buffer));
+    if (at >= 0) {
+      file.fill(0, at, at + length);
+    }
+  }
+  return bytes;
 }
 
 /** Where in the file the name of a Rust source at an address in memory is; 0 if there is none. */
