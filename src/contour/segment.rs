@@ -6,7 +6,7 @@ use glam::DVec2;
 
 use super::{Plane, Wish};
 use crate::diagnostic::Origin;
-use crate::geometry::{Bounds, Curve, MIN_LENGTH};
+use crate::geometry::{Arc, Bounds, Curve, Line, MIN_LENGTH};
 
 /// What a segment carries besides its curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -183,6 +183,31 @@ impl Contour {
             }
         }
         self.segments.extend(last);
+    }
+
+    /// Gives each of its points another place, in order [mm]; the centre of an arc moves with its start.
+    pub(crate) fn place(&mut self, place: &mut dyn FnMut(DVec2) -> DVec2) {
+        if let Some(lead) = &mut self.lead_in {
+            lead.point = place(lead.point);
+        }
+        let mut from = place(self.start());
+        for segment in &mut self.segments {
+            let (start, to) = (segment.curve.start(), place(segment.curve.end()));
+            let moved = match &segment.curve {
+                Curve::Arc(arc) => {
+                    let center = arc.center() + (from - start);
+                    Arc::winding(from, to, center, arc.is_clockwise()).map(Curve::Arc)
+                }
+                _ => Line::new(from, to).map(Curve::Line),
+            };
+            if let Ok(moved) = moved {
+                segment.curve = moved;
+            }
+            from = to;
+        }
+        if let Some(lead) = &mut self.lead_out {
+            lead.point = place(lead.point);
+        }
     }
 
     /// The same segments without leads, and without what happens between them; closed if they end

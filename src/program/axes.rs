@@ -174,6 +174,10 @@ impl Interpreter {
         attributes: &Attributes,
     ) {
         let (mut text, mut states) = (String::new(), [false; 3]);
+        if self.modal.relative && self.course.is_beside {
+            let reset = Reset { at: self.modal.position, states, moves: 0 };
+            return self.course.reset(text, attributes.origin, reset);
+        }
         for i in 0..3 {
             let known = self.modal.stated[i] && !self.modal.restate[i];
             if axes.words[i].is_none() || known || self.modal.position[i] != to[i] {

@@ -39,6 +39,8 @@ pub(super) struct Course {
     pub(super) rules: Rules,
     /// Compensation was switched off, and no straight move has followed yet.
     pub(super) needs_a_line: bool,
+    /// A tool was changed beside the last contour: the program goes on from there.
+    pub(super) is_beside: bool,
     /// The control has stopped at a curve that cannot be.
     pub(super) is_cut_off: bool,
     /// The unit of the program [mm].
@@ -73,6 +75,7 @@ impl Course {
             state: State::Off,
             rules,
             needs_a_line: false,
+            is_beside: false,
             is_cut_off: false,
             unit: 1.0,
             heading: None,
@@ -388,6 +391,7 @@ impl Course {
         end: ContourEnd,
         report: &mut Report,
     ) {
+        self.is_beside = end == ContourEnd::Beside;
         if self.rules.any_lead && open.builder.is_empty() {
             open.lead_becomes_contour(self.rules);
         }

@@ -36,7 +36,7 @@ impl Course {
     pub(super) fn takes_any_lead(&self) -> bool {
         self.rules.any_lead
             && match self.state {
-                State::Off => self.needs_a_line,
+                State::Off => self.needs_a_line || self.is_beside,
                 State::Waiting(_) | State::Ending(_) => true,
                 State::On(_) => false,
             }

@@ -163,8 +163,9 @@ impl Interpreter {
         let (end, end_height) = attributes.plane.split(to);
         let moves_in_plane = from.distance(end) >= MIN_LENGTH;
         let moves = moves_in_plane || height != end_height;
+        let leads = self.course.takes_any_lead();
         if self.course.is_free() {
-            self.state_axes(axes, to, moves, &attributes);
+            self.state_axes(axes, to, moves || leads, &attributes);
         } else if !moves {
             let message = "the block leads to where the tool is already";
             let (code, origin, hint) = ("zero-length", attributes.origin, "it is left out");
@@ -172,7 +173,7 @@ impl Interpreter {
         }
         if moves_in_plane {
             self.course.line(from, end, attributes, &mut self.report);
-        } else if moves || self.course.takes_any_lead() {
+        } else if moves || leads {
             self.course.vertical(from, attributes, &mut self.report);
         }
     }

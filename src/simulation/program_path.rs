@@ -1,9 +1,10 @@
 //! The tool path of a whole program: its contours compensated, everything else in its place.
 
-use glam::{BVec2, DVec2, DVec3};
+use glam::{DVec2, DVec3};
 
 use super::Tools;
 use super::ahead::with_look_ahead;
+use super::beside::Beside;
 use super::changes::{cross_over, leave_out_last, start_from};
 use super::judge::judge_laps;
 use super::lap_by_lap::avoid_laps;
@@ -156,8 +157,8 @@ struct Course {
     is_reset: bool,
     /// How far the tool is from where the program is since the last contour, in the plane [mm].
     beside: DVec2,
-    /// What moves do not change stays where the tool is, beside the last contour.
-    stays_beside: bool,
+    /// The program counts from where the tool is, beside the last contour.
+    goes_on: Option<Beside>,
     /// The control has refused to go on.
     is_stopped: bool,
 }
@@ -172,6 +173,9 @@ impl Course {
                 // Moves that words make start where the tool is.
                 let makes_none = |reset: &Reset| reset.moves == 0;
                 self.is_reset |= reset.as_ref().is_some_and(makes_none) && !words.is_empty();
+                if let (Some(beside), Some(reset)) = (&mut self.goes_on, &reset) {
+                    beside.note(words, reset);
+                }
                 // Where only axes are to be stated the tool stays where it is, maybe beside the
                 // contour.
                 if let (Some(reset), Some(at), false) = (
@@ -206,6 +210,7 @@ impl Course {
         let beside = std::mem::take(&mut self.beside);
         let start = next.curve.start();
         if is_reset {
+            let beside = self.goes_on.map_or(beside, |goes_on| goes_on.offset_in(next.plane));
             (at, height) = (start + beside, next.heights[0]);
         }
         (at.distance(start) > MIN_LENGTH).then_some((at, height))
@@ -216,13 +221,19 @@ impl Course {
     /// not go back to the program with it.
     fn free(&mut self, free: Move, goes_back: bool) {
         let Some((at, height)) = self.elsewhere(&free) else {
-            self.stays_beside = false;
-            self.path.moves.push(free);
+            self.goes_on = None;
+            let climbs = free.heights[0] != free.heights[1];
+            if climbs || !matches!(free.curve, MoveCurve::Vertical(_)) {
+                self.path.moves.push(free);
+            }
             return;
         };
-        let unchanged = free.curve.end().cmpeq(free.curve.start());
-        let stays = if self.stays_beside { unchanged } else { BVec2::FALSE };
-        let to = DVec2::select(stays, at, free.curve.end());
+        let [start, mut to] = [free.curve.start(), free.curve.end()];
+        if let Some(beside) = &mut self.goes_on {
+            beside.begin(at - start, free.plane);
+            to = beside.place([start, to], free.plane);
+            beside.forget();
+        }
         let curve = match free.curve {
             MoveCurve::Vertical(_) if !goes_back => MoveCurve::Vertical(at),
             MoveCurve::Vertical(_) | MoveCurve::Line(_) => line_from(at, to),
@@ -244,6 +255,9 @@ impl Course {
         if self.is_stopped {
             return;
         }
+        let at = self.position().filter(|_| !self.is_reset);
+        let moved = self.goes_on.take().map(|beside| beside.contour(programmed, at));
+        let programmed = moved.as_ref().unwrap_or(programmed);
         let before = self.path.moves.len();
         let contour = &programmed.contour;
         let walls = Walls::of(contour, tool.side());
@@ -301,7 +315,13 @@ impl Course {
                 _ => self.join((at, height), first, Role::Transition),
             }
         }
-        self.stays_beside = programmed.end == ContourEnd::Beside;
+        if programmed.end == ContourEnd::Beside
+            && let Some(last) = compensated.moves.last()
+        {
+            let mut beside = Beside::default();
+            beside.begin(last.curve.end() - contour.end(), last.plane);
+            self.goes_on = Some(beside);
+        }
         let own = compensated.moves.len();
         self.path.append(compensated);
         if looks_ahead
