@@ -87,8 +87,8 @@ impl InsideCorner {
         } else {
             (radius - self.tool_radius, -sense)
         };
-        // The corner is on the arc itself, in the direction of its centre.
-        let to_center = direction(center - self.point).ok_or(NO_ROOM)?;
+        // The corner is on the arc itself, in the direction of its centre, or that centre.
+        let to_center = direction(center - self.point).unwrap_or_default();
         let height = self.tool_radius - own * normal.dot(to_center);
         let squared = radius * radius - height * height;
         if squared < 0.0 {
