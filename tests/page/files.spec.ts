@@ -97,19 +97,32 @@ test("blank tape and DOS's mark at the ends of a program are left out", async ({
   await expect(g41.program).toHaveValue(SQUARE);
 });
 
-test("beside a program with errors, side and diagnostics fit into 800 pixels", async ({ page }) => {
-  await page.setViewportSize({ width: 1280, height: 800 });
-  const g41 = new G41Page(page);
-  await g41.open();
-  // Of FANUC's by its signs, which takes a row more for what it seems to be written for.
-  await g41.drop({ name: "part.nc", text: `%\nO1000\n${SQUARE}G999\nG998\nM98 P1\n%\n` });
-  await expect(page.locator(".diagnostics li").first()).toBeVisible();
-  await expect(page.getByRole("button", { name: /Use FANUC/ })).toBeVisible();
-  const bottom = await page
-    .locator(".diagnostics")
-    .evaluate((e) => e.getBoundingClientRect().bottom);
-  expect(bottom, "the diagnostics end within the window").toBeLessThanOrEqual(800);
-});
+for (const [width, height] of [
+  [1280, 800],
+  [1280, 720],
+  [1024, 700],
+] as const) {
+  test(`beside a program with errors, the side fits into ${width} × ${height}`, async ({
+    page,
+  }) => {
+    await page.setViewportSize({ width, height });
+    const g41 = new G41Page(page);
+    await g41.open();
+    // Of FANUC's by its signs, which takes a row more for what it seems to be written for.
+    await g41.drop({ name: "part.nc", text: `%\nO1000\n${SQUARE}G999\nG998\nM98 P1\n%\n` });
+    const first = page.locator(".diagnostics li").first();
+    await expect(first).toBeVisible();
+    await expect(page.getByRole("button", { name: /Use FANUC/ })).toBeVisible();
+    const bottom = (selector: string) =>
+      page.locator(selector).evaluate((e) => e.getBoundingClientRect().bottom);
+    const end = await bottom(".diagnostics");
+    expect(end, "the diagnostics end within the window").toBeLessThanOrEqual(height);
+    const row = await first.evaluate((e) => e.getBoundingClientRect().bottom);
+    expect(row, "one of them is in sight as a whole").toBeLessThanOrEqual(end);
+    const lines = await page.locator("#panel-program").evaluate((e) => e.clientHeight / 20);
+    expect(lines, "lines of the program that are in sight").toBeGreaterThan(4);
+  });
+}
 
 test("what other editors write is read, with the letters of its language", async ({ page }) => {
   const g41 = new G41Page(page);

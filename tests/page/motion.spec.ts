@@ -298,6 +298,31 @@ test("who wants less motion sees the tool in steps", async ({ page }) => {
   expect(Number(await slider.inputValue())).toBeGreaterThan(0);
 });
 
+test("on a low screen all plots are in sight", async ({ page }) => {
+  await page.setViewportSize({ width: 1024, height: 700 });
+  await opened(page, "star");
+  const last = page.locator(".motion-plot").last();
+  const bottom = await last.evaluate((e) => e.getBoundingClientRect().bottom);
+  expect(bottom, "the last plot ends within the window").toBeLessThanOrEqual(700);
+});
+
+test("while the tool runs it is told where it is, on all three axes", async ({ page }) => {
+  const g41 = await opened(page, "star");
+  await g41.drop({
+    name: "ramp.nc",
+    text: "G21 G90 G94 G17\nG0 X0 Y0 Z5\nG1 Z-2 F300\nG1 G41 D1 X10 Y0 F300\nX20 Z-6\nG40 X30 Y10\nM30\n",
+  });
+  await g41.settled();
+  const readout = page.locator("#readout");
+  const slider = page.getByRole("slider", { name: "Time" });
+  await expect(page.locator("#motion")).toHaveAttribute("aria-busy", "false");
+  await expect(async () => {
+    await slider.fill("999");
+    await slider.fill("1000");
+    await expect(readout).toHaveText("X 30.000  Y 10.000  Z -6.000", { timeout: 500 });
+  }).toPass();
+});
+
 test("the pointer on a plot moves the tool, a click takes the player there", async ({ page }) => {
   const g41 = await opened(page, "star");
   const plot = page.getByRole("img", { name: /^Jerk/ });

@@ -10,6 +10,7 @@ import "./style/deviation.css";
 import "./style/files.css";
 import "./style/motion.css";
 import "./style/narrow.css";
+import "./style/low.css";
 import { openExample } from "./actions";
 import { autosave, restore } from "./autosave";
 import { ComputeClient } from "./compute-client";
@@ -32,6 +33,7 @@ import { galleryMenu } from "./panels/gallery-menu";
 import { legend } from "./panels/legend";
 import { motionButton } from "./panels/motion-button";
 import { parametersPanel } from "./panels/parameters-panel";
+import { readout } from "./panels/readout";
 import { toolbar } from "./panels/toolbar";
 import { toolsPanel } from "./panels/tools-panel";
 import { workPanel } from "./panels/work-panel";
@@ -44,7 +46,6 @@ import { connectScheme } from "./scheme";
 import { connectLinks } from "./share";
 import { Stage } from "./stage";
 import { NO_PART, Store } from "./state";
-import { toWorld } from "./view";
 
 const first = EXAMPLES[0];
 if (!first) throw new Error("the gallery is empty");
@@ -59,7 +60,6 @@ const store = new Store({
   settings: saved?.settings ?? { ...INITIAL_SETTINGS, ...first.settings },
 });
 
-const readout = find("readout");
 const drawing = new PictureClient({
   drawn: (first) => {
     if (first) store.set({ work: undefined });
@@ -73,14 +73,7 @@ const drawing = new PictureClient({
     store.set({ work: undefined, notice: `The program could not be drawn: ${message}.` });
   },
 });
-const stage = new Stage(find("stage"), store, drawing, (view, pointer) => {
-  const digits = Math.min(3, Math.max(0, Math.ceil(Math.log10(view.scale))));
-  const at = pointer && toWorld(view, pointer);
-  const [right, up] = (store.state.result?.axes ?? [0, 1]).map((axis) => "XYZ"[axis]);
-  readout.textContent = at
-    ? `${right} ${at[0].toFixed(digits)}  ${up} ${at[1].toFixed(digits)}`
-    : "";
-});
+const stage = new Stage(find("stage"), store, drawing, readout(find("readout"), store));
 
 /** Takes what the worker found, and derives what the page needs of it. */
 function take(result: Result, strokes: readonly Strokes[]): void {

@@ -56,9 +56,17 @@ export interface State {
   /** Where on its path the tool is shown, as the plot of deviations asks for it. */
   readonly probe: Point | undefined;
   /** Where the tool is as it runs along its path, and on the move of which line of the text. */
-  readonly played: { readonly at: Point; readonly line: number | undefined } | undefined;
+  readonly played: Played | undefined;
   /** The contour that is dragged, as long as it is ahead of the result. */
   readonly live: LivePicture | undefined;
+}
+
+/** A place of the tool as it runs. */
+export interface Played {
+  /** As it is seen. */
+  readonly at: Point;
+  readonly point: readonly [x: number, y: number, z: number];
+  readonly line: number | undefined;
 }
 
 /** Called after each change, with the state before it. */

@@ -176,7 +176,7 @@ export class MotionPanel {
 
   #show({ point, line }: NonNullable<ReturnType<typeof placeAt>>): void {
     const [right, up] = this.#store.state.result?.axes ?? [0, 1];
-    this.#store.set({ played: { at: [point[right], point[up]], line } });
+    this.#store.set({ played: { at: [point[right], point[up]], point, line } });
   }
 
   /** The pointer is on the picture: near the path, the plots show where. */

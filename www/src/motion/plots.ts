@@ -41,6 +41,9 @@ interface Plot {
 
 /** The size of a plot, and the room beside it for numbers [px]. */
 const HEIGHT = 72;
+/** The same on a low screen, where all three are to be in sight [px]. */
+const LOW_HEIGHT = 52;
+const LOW = "(min-width: 901px) and (max-height: 780px)";
 const LEFT = 58;
 const RIGHT = 12;
 const AXIS = 22;
@@ -221,7 +224,7 @@ export class Plots {
     const isLast = index === PLOTS.length - 1;
     return {
       width: this.#width(),
-      height: HEIGHT + (isLast ? AXIS : 4),
+      height: this.#height(index),
       padding: [4, RIGHT, 0, 0],
       legend: { show: false },
       cursor: {
@@ -342,11 +345,17 @@ export class Plots {
     return Math.max(240, this.root.clientWidth);
   }
 
+  #height(index: number): number {
+    const height = matchMedia(LOW).matches ? LOW_HEIGHT : HEIGHT;
+    return height + (index === PLOTS.length - 1 ? AXIS : 4);
+  }
+
   #resize(): void {
     const width = this.#width();
-    for (const { plot } of this.#plots) {
-      if (plot.width !== width) plot.setSize({ width, height: plot.height });
-    }
+    this.#plots.forEach(({ plot }, index) => {
+      const height = this.#height(index);
+      if (plot.width !== width || plot.height !== height) plot.setSize({ width, height });
+    });
     this.mark(this.#head);
   }
 }
@@ -363,7 +372,7 @@ function axisUp(): uPlot.Axis {
   return {
     ...axis(),
     size: LEFT,
-    space: 26,
+    space: 20,
     gap: 6,
     values: (_, splits) => splits.map((value) => short(value)),
     ticks: { show: false },
