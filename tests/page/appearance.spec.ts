@@ -1,18 +1,6 @@
 // Light and dark, wide and narrow: accessible, legible, and nothing is cut off.
-import { expect, type Page, test } from "@playwright/test";
-import { G41Page } from "./page";
-
-/** What axe finds to be wrong for people who use other means than eyes and mouse. */
-async function violations(page: Page): Promise<string[]> {
-  await page.addScriptTag({ path: "node_modules/axe-core/axe.min.js" });
-  return page.evaluate(async () => {
-    const { axe } = window as unknown as {
-      axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
-    };
-    const result = await axe.run();
-    return result.violations.map(({ id, nodes }) => `${id}: ${nodes.map((n) => n.html)}`);
-  });
-}
+import { expect, test } from "@playwright/test";
+import { G41Page, violations } from "./page";
 
 for (const scheme of ["light", "dark"] as const) {
   for (const [name, width, height] of [

@@ -122,3 +122,15 @@ export class G41Page {
     return Number(await item.locator("small").textContent());
   }
 }
+
+/** What axe finds to be wrong for people who use other means than eyes and mouse. */
+export async function violations(page: Page): Promise<string[]> {
+  await page.addScriptTag({ path: "node_modules/axe-core/axe.min.js" });
+  return page.evaluate(async () => {
+    const { axe } = window as unknown as {
+      axe: { run(): Promise<{ violations: { id: string; nodes: { html: string }[] }[] }> };
+    };
+    const result = await axe.run();
+    return result.violations.map(({ id, nodes }) => `${id}: ${nodes.map((n) => n.html)}`);
+  });
+}

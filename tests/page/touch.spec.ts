@@ -67,3 +67,55 @@ test("two fingers zoom the picture and leave the program alone", async ({ page }
   expect(ratio).toBeLessThan(2.3);
   expect(await g41.program.inputValue()).toBe(before);
 });
+
+test("on a small phone all buttons above the picture stand in one row, wide enough", async ({
+  page,
+}) => {
+  await page.setViewportSize({ width: 360, height: 740 });
+  const g41 = new G41Page(page);
+  await g41.open();
+  const boxes = await page
+    .locator(".view-buttons button")
+    .evaluateAll((all) => all.map((e) => e.getBoundingClientRect().toJSON()));
+  expect(boxes.length, "the buttons").toBe(8);
+  for (const { top, width, right } of boxes) {
+    expect(top, "all begin at one height").toBe(boxes[0].top);
+    expect(width, "room for a finger").toBeGreaterThanOrEqual(36);
+    expect(right, "none is cut off").toBeLessThanOrEqual(360);
+  }
+  const scroll = await page.evaluate(() => document.documentElement.scrollWidth);
+  expect(scroll, "the page does not scroll sideways").toBeLessThanOrEqual(360);
+});
+
+test("one finger turns the picture in space, two go nearer", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  await page.getByRole("button", { name: "3D view" }).tap();
+  const canvas = page.locator("canvas.space");
+  const picture = () => canvas.evaluate((e) => (e as HTMLCanvasElement).toDataURL());
+  await g41.frames(3);
+  const first = await picture();
+  const box = await canvas.boundingBox();
+  if (!box) throw new Error("the picture in space is not shown");
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
+  const client = await page.context().newCDPSession(page);
+  const touch = (type: string, ...touchPoints: { x: number; y: number; id: number }[]) =>
+    client.send("Input.dispatchTouchEvent", { type: type as "touchStart", touchPoints });
+  await touch("touchStart", { x, y, id: 1 });
+  for (let i = 1; i <= 6; i += 1) await touch("touchMove", { x: x + 10 * i, y, id: 1 });
+  await touch("touchEnd");
+  await g41.frames(3);
+  const second = await picture();
+  expect(second, "one finger turns it").not.toBe(first);
+  await expect(page.getByRole("radio", { name: "Iso" }), "no view by name").not.toBeChecked();
+  const both = (half: number) => [
+    { x: x - half, y, id: 1 },
+    { x: x + half, y, id: 2 },
+  ];
+  await touch("touchStart", ...both(30));
+  for (let half = 35; half <= 60; half += 5) await touch("touchMove", ...both(half));
+  await touch("touchEnd");
+  await g41.frames(3);
+  expect(await picture(), "two go nearer").not.toBe(second);
+  expect(g41.errors, "errors of the page").toEqual([]);
+});

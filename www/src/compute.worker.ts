@@ -11,10 +11,18 @@ import init, {
   type ToolPath,
 } from "g41";
 import { modeAt } from "./contour-writer";
-import { boxOfStrokes, type Moves, movesOf, seen, strokesOf } from "./large/strokes";
+import {
+  boxOfStrokes,
+  coarsePolylines,
+  type Moves,
+  movesOf,
+  seen,
+  strokesOf,
+} from "./large/strokes";
 import { decoded, longText } from "./long-text";
 import { compensationOptions, parseOptions, radiusOfTool, type Settings } from "./parameters";
 import { type Lines, lineOf, type Reply, type Request, type Result } from "./result";
+import { spaceStrokesOf } from "./space/strokes";
 import { boxOf } from "./view";
 
 /** How far the polylines on the screen may be from their curves [mm]. */
@@ -71,9 +79,13 @@ function compute({ id, text, settings }: Request): Reply {
     const { target, tolerance } = settings;
     const written = path.emit({ target, tolerance });
     const diagnostics = gravestFirst([...path.diagnostics, ...written.diagnostics]);
-    const { axes, rapids } = movesOf(path);
-    const programmed = lines(program.polylines(DRAWING_TOLERANCE), axes);
-    const drawn = lines(path.polylines(DRAWING_TOLERANCE), axes);
+    const moves = movesOf(path);
+    const { axes, rapids } = moves;
+    const outlines = program.polylines(DRAWING_TOLERANCE);
+    const way = path.polylines(DRAWING_TOLERANCE);
+    const space = spaceStrokesOf(outlines, way, moves);
+    const programmed = lines(outlines, axes);
+    const drawn = lines(way, axes);
     const { contours } = program;
     const radii = contours.map(({ radius, tool, blocks }) => {
       const unit = () => modeAt(text.split("\n"), blocks[0]).unit;
@@ -93,6 +105,7 @@ function compute({ id, text, settings }: Request): Reply {
       radii,
       programmed,
       path: drawn,
+      space,
       records: path.records(),
       stride: RECORD_STRIDE,
       transitions: path.transitions,
@@ -136,6 +149,7 @@ async function computeLong({ id, settings }: Request, file: File): Promise<Reply
       settings,
       axes: moves.axes,
       box: boxOfStrokes(strokes),
+      space: spaceStrokesOf(coarsePolylines(program), coarsePolylines(path), moves),
       dialect: program.dialect,
       tools: program.tools,
       long: { file, text: longText(bytes, encoding), code, moves: path.count },
@@ -229,11 +243,11 @@ function lines(
 }
 
 function transferables({ result, strokes }: Reply & { kind: "result" }): Transferable[] {
-  const { programmed, path, records, uncut, long } = result;
+  const { programmed, path, space, records, uncut, long } = result;
   const arrays: ArrayBufferView[] = [records];
   for (const { points, starts, owners } of [programmed, path]) arrays.push(points, starts, owners);
   for (const { outline } of uncut) arrays.push(outline);
-  for (const { points, lines } of strokes) arrays.push(points, lines);
+  for (const { points, lines } of [...strokes, ...space]) arrays.push(points, lines);
   for (const text of long ? [long.text, long.code] : []) arrays.push(text.bytes, text.starts);
   const buffers = arrays.filter(({ byteLength }) => byteLength > 0);
   return [...new Set(buffers.map((array) => array.buffer as ArrayBuffer))];

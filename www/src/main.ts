@@ -10,6 +10,7 @@ import "./style/deviation.css";
 import "./style/files.css";
 import "./style/motion.css";
 import "./style/narrow.css";
+import "./style/space.css";
 import "./style/low.css";
 import { openExample } from "./actions";
 import { autosave, restore } from "./autosave";
@@ -44,6 +45,7 @@ import { partOf } from "./program-text";
 import { isResultOf, type Result } from "./result";
 import { connectScheme } from "./scheme";
 import { connectLinks } from "./share";
+import { SpaceView } from "./space/space-view";
 import { Stage } from "./stage";
 import { NO_PART, Store } from "./state";
 
@@ -145,7 +147,10 @@ store.subscribe((state, before) => {
 
 connectPointers(stage, store, drag);
 connectKeys(stage, store);
-toolbar(find("toolbar"), stage, store);
+toolbar(find("toolbar"), stage, store, {
+  zoom: (factor) => (store.state.space ? space : stage).zoom(factor),
+  fit: () => (store.state.space ? space : stage).fit(),
+});
 parametersPanel(find("parameters"), store);
 filePanel(find<HTMLFormElement>("file"), files, store);
 toolsPanel(find("tools"), store);
@@ -155,12 +160,14 @@ const showLine = codePanel(store, stage);
 diagnosticsPanel(find("diagnostics"), stage, store, showLine);
 callout(find("stage"), stage, store);
 const drawers = find("toolbar").querySelector<HTMLElement>(".drawer-buttons") ?? find("toolbar");
+const space = new SpaceView(find("stage"), drawers, stage, store);
 deviationPanel(find("deviation"), drawers, stage, store);
 const recolourMotion = motionButton(find("motion"), drawers, stage, store);
 legend(find("legend"), store);
 description(find("description"), store);
 connectScheme(find("scheme"), (scheme) => {
   stage.setScheme(scheme);
+  space.setScheme(scheme);
   recolourMotion();
 });
 

@@ -57,6 +57,8 @@ export interface State {
   readonly probe: Point | undefined;
   /** Where the tool is as it runs along its path, and on the move of which line of the text. */
   readonly played: Played | undefined;
+  /** Whether the moves are shown in space, and not the plane. */
+  readonly space: boolean;
   /** The contour that is dragged, as long as it is ahead of the result. */
   readonly live: LivePicture | undefined;
 }
@@ -96,6 +98,7 @@ export class Store {
       finding: undefined,
       probe: undefined,
       played: undefined,
+      space: false,
       live: undefined,
     };
   }

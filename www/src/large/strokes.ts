@@ -94,7 +94,7 @@ export function seen(points3: Float64Array, [right, up]: Axes): Float64Array {
 export function strokesOf(program: Program, path: ToolPath, moves: Moves): Strokes[] {
   const pens = { free: new Pen(), lead: new Pen(), cut: new Pen() };
   const { axes, roles, lines } = moves;
-  const drawn = polylines(path);
+  const drawn = coarsePolylines(path);
   const points = seen(drawn.points3, axes);
   drawn.starts.forEach((start, piece) => {
     const end = drawn.starts[piece + 1] ?? drawn.owners.length;
@@ -137,7 +137,7 @@ function rapidStrokes({ rapids, rapidLines, axes }: Moves): Strokes {
 
 function contourStrokes(program: Program, axes: Axes): Strokes {
   const pen = new Pen();
-  const { points3, starts, owners } = polylines(program);
+  const { points3, starts, owners } = coarsePolylines(program);
   const points = seen(points3, axes);
   starts.forEach((start, piece) => {
     const end = starts[piece + 1] ?? owners.length;
@@ -150,7 +150,8 @@ function contourStrokes(program: Program, axes: Axes): Strokes {
   return { kind: "contour", ...pen.drawn() };
 }
 
-function polylines(of: Program | ToolPath) {
+/** The polylines of a program or a path as fine as there is memory for. */
+export function coarsePolylines(of: Program | ToolPath) {
   for (const tolerance of TOLERANCES) {
     try {
       return of.polylines(tolerance);

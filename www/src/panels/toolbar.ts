@@ -17,8 +17,14 @@ const ICONS = {
   remove: "M5 7h14M10 7V4h4v3M7 7l1 13h8l1-13",
 } as const;
 
+/** What of the picture that is shown the buttons change. */
+export interface Picture {
+  zoom(factor: number): void;
+  fit(): void;
+}
+
 /** Fills the toolbar and keeps it true to the state. */
-export function toolbar(bar: HTMLElement, stage: Stage, store: Store): void {
+export function toolbar(bar: HTMLElement, stage: Stage, store: Store, picture: Picture): void {
   const name = element("p", { class: "point-name" });
   let steps = 0;
   const enter = (axis: 0 | 1) => (value: number, gesture?: string) => {
@@ -56,9 +62,9 @@ export function toolbar(bar: HTMLElement, stage: Stage, store: Store): void {
   const closer = iconButton("Zoom in", ICONS.zoomIn, "+");
   undo.addEventListener("click", () => store.undo());
   redo.addEventListener("click", () => store.redo());
-  out.addEventListener("click", () => stage.zoom(1 / 1.4));
-  fit.addEventListener("click", () => stage.fit());
-  closer.addEventListener("click", () => stage.zoom(1.4));
+  out.addEventListener("click", () => picture.zoom(1 / 1.4));
+  fit.addEventListener("click", () => picture.fit());
+  closer.addEventListener("click", () => picture.zoom(1.4));
   const view = element("div", {
     class: "view-buttons",
     role: "group",
@@ -88,17 +94,22 @@ export function toolbar(bar: HTMLElement, stage: Stage, store: Store): void {
     remove.disabled = !canDelete(part, selection);
   };
   store.subscribe((state, before) => {
-    const { history, selection, result } = before;
-    if (state.history !== history || state.selection !== selection || state.result !== result) {
-      show();
-    }
+    const { history, selection, result, space } = before;
+    const isKnown = state.history === history && state.result === result;
+    if (!isKnown || state.selection !== selection || state.space !== space) show();
   });
   show();
 }
 
 /** What can be done with the picture as it is. */
-function hintOf({ history, result }: State): string {
+function hintOf({ history, result, space }: State): string {
   const { file, part, text, partText } = history.present;
+  const isTouch = matchMedia("(pointer: coarse)").matches;
+  if (space) {
+    return isTouch
+      ? "Drag to turn, with two fingers to move and zoom."
+      : "Drag to turn, with Shift to move. Click a move to find its line.";
+  }
   if (file) return "Click a move to find its line, or a line to find its moves.";
   // Until the text has been read, nobody knows better than that something can be done.
   if (result && text === partText && !part.contours.some(({ editable }) => editable)) {
@@ -106,6 +117,6 @@ function hintOf({ history, result }: State): string {
       ? "Nothing here is compensated: there is no G41 or G42."
       : "No point can be dragged here: change the text instead.";
   }
-  const twice = matchMedia("(pointer: coarse)").matches ? "Double-tap" : "Double-click";
+  const twice = isTouch ? "Double-tap" : "Double-click";
   return `Drag any point. ${twice} a segment to add one.`;
 }

@@ -1,0 +1,94 @@
+// What is drawn of a program in space: polylines of x, y and z by what they are there for, made by the
+// worker that computes.
+
+import type { Moves, StrokeKind } from "../large/strokes";
+import { MoveRole } from "../result";
+
+/** Polylines of one kind. */
+export interface SpaceStrokes {
+  readonly kind: StrokeKind;
+  /** x0, y0, z0, x1, y1, z1, … [mm]; NaN between two pieces. */
+  readonly points: Float32Array;
+  /** For each vertex, the line of the text that the chord ending there comes from; 0 for none. */
+  readonly lines: Uint32Array;
+}
+
+/** Polylines as the package gives them. */
+interface Polylines {
+  readonly points3: Float64Array;
+  readonly starts: Uint32Array;
+  readonly owners: Uint32Array;
+}
+
+/** More vertices than these could not be turned while one looks; of very long programs some are left out. */
+const MOST_VERTICES = 200_000;
+
+/** All strokes of a path and of the contours that it follows. */
+export function spaceStrokesOf(contours: Polylines, path: Polylines, moves: Moves): SpaceStrokes[] {
+  const { roles, lines, rapids, rapidLines } = moves;
+  const pens = { free: new Pen(), lead: new Pen(), cut: new Pen() };
+  const thin = Math.ceil(path.owners.length / MOST_VERTICES);
+  path.starts.forEach((start, piece) => {
+    const end = path.starts[piece + 1] ?? path.owners.length;
+    let pen: Pen | undefined;
+    for (let i = start + 1; i < end; i += 1) {
+      const owner = path.owners[i] as number;
+      const own = pens[kindOf(roles[owner] as MoveRole)];
+      if (own !== pen) {
+        pen?.add(path.points3, i - 1, lines[path.owners[i - 1] as number] ?? 0);
+        pen = own;
+        pen.begin(path.points3, i - 1, lines[owner] ?? 0);
+      }
+      if (i === end - 1 || (i - start) % thin === 0) pen.add(path.points3, i, lines[owner] ?? 0);
+    }
+  });
+  const contour = new Pen();
+  contours.starts.forEach((start, piece) => {
+    const end = contours.starts[piece + 1] ?? contours.owners.length;
+    contour.begin(contours.points3, start, 0);
+    for (let i = start + 1; i < end; i += 1) contour.add(contours.points3, i, 0);
+  });
+  const rapid = new Pen();
+  // The first comes from where the tool stood before, which nobody knows.
+  for (let i = 1; i < rapidLines.length; i += 1) {
+    const line = rapidLines[i] as number;
+    rapid.begin(rapids, 2 * i, line);
+    rapid.add(rapids, 2 * i + 1, line);
+  }
+  return [
+    { kind: "rapid", ...rapid.drawn() },
+    { kind: "free", ...pens.free.drawn() },
+    { kind: "contour", ...contour.drawn() },
+    { kind: "lead", ...pens.lead.drawn() },
+    { kind: "cut", ...pens.cut.drawn() },
+  ];
+}
+
+function kindOf(role: MoveRole): "free" | "lead" | "cut" {
+  if (role === MoveRole.Free) return "free";
+  return role === MoveRole.Segment || role === MoveRole.Transition ? "cut" : "lead";
+}
+
+/** Collects polylines. */
+class Pen {
+  #points: number[] = [];
+  #lines: number[] = [];
+
+  /** Begins a piece at a vertex of x0, y0, z0, …. */
+  begin(from: Float64Array, vertex: number, line: number): void {
+    if (this.#lines.length > 0) {
+      this.#points.push(Number.NaN, Number.NaN, Number.NaN);
+      this.#lines.push(0);
+    }
+    this.add(from, vertex, line);
+  }
+
+  add(from: Float64Array, vertex: number, line: number): void {
+    for (let k = 3 * vertex; k < 3 * vertex + 3; k += 1) this.#points.push(from[k] as number);
+    this.#lines.push(line);
+  }
+
+  drawn(): Pick<SpaceStrokes, "points" | "lines"> {
+    return { points: Float32Array.from(this.#points), lines: Uint32Array.from(this.#lines) };
+  }
+}
