@@ -204,6 +204,55 @@ test("a tool table gives diameters, and tells what it cannot read", async ({ pag
   expect(g41.errors).toEqual([]);
 });
 
+test("the radii that comments tell are offered, and taken by one click", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const offer = page.locator(".named-tools");
+  const radius = page.getByLabel("Tool radius in mm");
+  await expect(offer, "an example names no tool").toBeHidden();
+  const square = (tool: number) => SQUARE.replaceAll("D1", `D${tool}`);
+  for (const [comment, unit, diameter] of [
+    ["(TOOL 1: END MILL D6)", "G21", "6"],
+    ["(T1 D=0.5 CR=0. - ZMIN=-1 - FLAT END MILL)", "G20", "12.7"],
+    ['(T01 = 3/8"  END MILL)', "G20", "9.525"],
+    ['(Tool 1: 3/4" 19.05mm Flat Endmill, 3 flutes)', "G21", "19.05"],
+    ["; T1 dia. 8 mm", "G20", "8"],
+  ] as const) {
+    const text = `${comment}\n${square(1).replace("G21", unit)}`;
+    await g41.drop({ name: "part.nc", text });
+    await expect(offer, comment).toContainText(`T1 ⌀ ${diameter} mm`);
+    await offer.getByRole("button").click();
+    await expect(radius, comment).toHaveValue(String(Number(diameter) / 2).slice(0, 6));
+    await expect(radius, "the focus stays").toBeFocused();
+    await expect(offer, comment).toBeHidden();
+    await page.keyboard.press("Control+z");
+    await expect(offer, "after undo").toBeVisible();
+  }
+  for (const comment of [
+    "(T2 D=6)",
+    "(T1 CHANGED AT D STREET)",
+    "(T1 D6)\n(T1 D8)",
+    "(DEPTH 6MM)",
+  ]) {
+    await g41.drop({ name: "part.nc", text: `${comment}\n${square(1)}` });
+    await expect(g41.program).toHaveValue(`${comment}\n${square(1)}`);
+    await g41.settled();
+    await expect(offer, comment).toBeHidden();
+  }
+});
+
+test("of several tools each is given the radius that its comment tells", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const text = `(T1 D=6.)\n(T7 D=11.)\n${TWO_TOOLS}`;
+  await g41.drop({ name: "two.nc", text });
+  await expect(page.locator(".named-tools")).toContainText("T1 ⌀ 6, T7 ⌀ 11 mm");
+  await page.getByRole("button", { name: "Use their radii" }).click();
+  await expect(page.getByLabel("Radius of tool 1 in mm")).toHaveValue("3");
+  await expect(page.getByLabel("Radius of tool 7 in mm")).toHaveValue("5.5");
+  await expect(page.locator(".named-tools")).toBeHidden();
+});
+
 test("the profile decides what is inserted at corners, unless that is chosen", async ({ page }) => {
   const g41 = new G41Page(page);
   await g41.open();

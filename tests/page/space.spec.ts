@@ -44,6 +44,15 @@ test("it tells how far what is cut goes along each axis", async ({ page }) => {
   expect(g41.errors, "errors of the page").toEqual([]);
 });
 
+test("the extents of arcs are those of the circle, and not of its chords", async ({ page }) => {
+  // Below the line from (0, 0) to (20, 0) about (10, 0), in the plane of z and x.
+  const arc = "G21 G90 G18\nG0 X0 Y0 Z5\nG1 Z0 F200\nG2 X20 Z0 I10 K0\nG1 Z5\nM30\n";
+  await inSpace(page, arc);
+  await expect(page.locator(".space-extents")).toHaveText(
+    "X 0 … 20   20 mm\nY 0        0 mm\nZ -10 … 5  15 mm",
+  );
+});
+
 test("mouse and keys turn, move and scale it, and a view brings it back", async ({ page }) => {
   const g41 = await inSpace(page, SQUARE);
   const first = await picture(page);

@@ -22,7 +22,7 @@ import {
 import { decoded, longText } from "./long-text";
 import { compensationOptions, parseOptions, radiusOfTool, type Settings } from "./parameters";
 import { type Lines, lineOf, type Reply, type Request, type Result } from "./result";
-import { spaceStrokesOf } from "./space/strokes";
+import { spaceOf } from "./space/strokes";
 import { boxOf } from "./view";
 
 /** How far the polylines on the screen may be from their curves [mm]. */
@@ -83,7 +83,7 @@ function compute({ id, text, settings }: Request): Reply {
     const { axes, rapids } = moves;
     const outlines = program.polylines(DRAWING_TOLERANCE);
     const way = path.polylines(DRAWING_TOLERANCE);
-    const space = spaceStrokesOf(outlines, way, moves);
+    const space = spaceOf(outlines, way, moves);
     const programmed = lines(outlines, axes);
     const drawn = lines(way, axes);
     const { contours } = program;
@@ -149,7 +149,7 @@ async function computeLong({ id, settings }: Request, file: File): Promise<Reply
       settings,
       axes: moves.axes,
       box: boxOfStrokes(strokes),
-      space: spaceStrokesOf(coarsePolylines(program), coarsePolylines(path), moves),
+      space: spaceOf(coarsePolylines(program), coarsePolylines(path), moves),
       dialect: program.dialect,
       tools: program.tools,
       long: { file, text: longText(bytes, encoding), code, moves: path.count },
@@ -247,7 +247,7 @@ function transferables({ result, strokes }: Reply & { kind: "result" }): Transfe
   const arrays: ArrayBufferView[] = [records];
   for (const { points, starts, owners } of [programmed, path]) arrays.push(points, starts, owners);
   for (const { outline } of uncut) arrays.push(outline);
-  for (const { points, lines } of [...strokes, ...space]) arrays.push(points, lines);
+  for (const { points, lines } of [...strokes, ...space.strokes]) arrays.push(points, lines);
   for (const text of long ? [long.text, long.code] : []) arrays.push(text.bytes, text.starts);
   const buffers = arrays.filter(({ byteLength }) => byteLength > 0);
   return [...new Set(buffers.map((array) => array.buffer as ArrayBuffer))];

@@ -4,7 +4,7 @@ import type { Diagnostic, Dialect, Gouge, ProgrammedContour, Transition, Uncut }
 import type { Axes, Strokes } from "./large/strokes";
 import type { LongText } from "./long-text";
 import type { Settings } from "./parameters";
-import type { SpaceStrokes } from "./space/strokes";
+import type { Space } from "./space/strokes";
 import type { Box } from "./view";
 
 /** Polylines in one piece of memory; see `Polylines` of the package. */
@@ -62,7 +62,7 @@ export interface Result {
   /** The tool path; owners are moves. */
   readonly path: Lines;
   /** The same in space, with rapid moves; of a very long program a part of its vertices. */
-  readonly space: readonly SpaceStrokes[];
+  readonly space: Space;
   /** The moves, `stride` numbers each. */
   readonly records: Float64Array;
   readonly stride: number;

@@ -118,7 +118,8 @@ export function strokesOf(program: Program, path: ToolPath, moves: Moves): Strok
   ];
 }
 
-function kindOf(role: MoveRole): "free" | "lead" | "cut" {
+/** What the line of a move is, by what it is there for. */
+export function kindOf(role: MoveRole): "free" | "lead" | "cut" {
   if (role === MoveRole.Free) return "free";
   return role === MoveRole.Segment || role === MoveRole.Transition ? "cut" : "lead";
 }

@@ -11,6 +11,7 @@ import {
 } from "../parameters";
 import type { Store } from "../state";
 import { Choice, element } from "./elements";
+import { namedToolsOffer } from "./named-tools-offer";
 import { NumberField } from "./number-field";
 
 /** Fills the form of parameters and keeps it true to the state. */
@@ -33,7 +34,7 @@ export function parametersPanel(form: HTMLElement, store: Store): void {
   });
   // The radius of a program that states its own cannot be chosen here.
   const stated = element("p", { class: "stated" });
-  form.querySelector(".parameter-radius")?.after(stated);
+  form.querySelector(".parameter-radius")?.after(stated, namedToolsOffer(store));
   const show = () => {
     for (const each of shows) each();
     const radii = (store.state.result?.contours ?? []).flatMap(({ radius }) => radius ?? []);

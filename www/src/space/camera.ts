@@ -1,12 +1,8 @@
 // How space becomes pixels: a camera far away that is turned about the vertical and tilted.
 
 import type { Point } from "../geometry";
-import type { StrokeKind } from "../large/strokes";
 import type { Size } from "../view";
-import type { SpaceStrokes } from "./strokes";
-
-/** A point [mm]. */
-export type Point3 = readonly [x: number, y: number, z: number];
+import { type Box3, boxOf3, type Point3, type SpaceStrokes } from "./strokes";
 
 /** Where the camera looks from. */
 export interface Camera {
@@ -18,12 +14,6 @@ export interface Camera {
   readonly scale: number;
   /** What is in the middle of the canvas [mm]. */
   readonly target: Point3;
-}
-
-/** A box [mm]. */
-export interface Box3 {
-  readonly min: Point3;
-  readonly max: Point3;
 }
 
 /** Views by name, as yaw and pitch. */
@@ -104,26 +94,10 @@ export function turned(camera: Camera, yaw: number, pitch: number): Camera {
   return { ...camera, yaw: camera.yaw + yaw, pitch: tilt };
 }
 
-/** The box around all strokes of some kinds; around rapid moves where there is nothing else. */
-export function boxOfSpace(
-  all: readonly SpaceStrokes[],
-  kinds: readonly StrokeKind[],
-): Box3 | undefined {
-  const cutting = all.filter(({ kind, points }) => kinds.includes(kind) && points.length > 0);
-  const [min, max] = [
-    [Infinity, Infinity, Infinity],
-    [-Infinity, -Infinity, -Infinity],
-  ];
-  for (const { points } of cutting.length > 0 ? cutting : all) {
-    for (let i = 0; i < points.length; i += 1) {
-      const [value, axis] = [points[i] as number, i % 3];
-      // NaN, between two pieces, is neither less nor more.
-      if (value < (min[axis] as number)) min[axis] = value;
-      if (value > (max[axis] as number)) max[axis] = value;
-    }
-  }
-  if ((min[0] as number) > (max[0] as number)) return undefined;
-  return { min: min as unknown as Point3, max: max as unknown as Point3 };
+/** The box around all strokes but rapid moves; around these where there is nothing else. */
+export function boxOfStrokes(all: readonly SpaceStrokes[]): Box3 | undefined {
+  const seen = all.filter(({ kind }) => kind !== "rapid").map(({ points }) => points);
+  return boxOf3(seen) ?? boxOf3(all.map(({ points }) => points));
 }
 
 /** Heights that part the moves that cut into bands with as many vertices each; rising [mm]. */

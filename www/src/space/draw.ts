@@ -5,8 +5,8 @@ import type { Palette } from "../draw/palette";
 import type { Point } from "../geometry";
 import type { StrokeKind } from "../large/strokes";
 import type { Size } from "../view";
-import { axesOf, type Box3, type Camera, cornersOf, type Point3, projection } from "./camera";
-import type { SpaceStrokes } from "./strokes";
+import { axesOf, type Camera, cornersOf, projection } from "./camera";
+import type { Box3, Point3, SpaceStrokes } from "./strokes";
 
 /** What the picture shows. */
 export interface SpaceScene {
@@ -20,8 +20,10 @@ export interface SpaceScene {
   readonly depths: readonly number[];
   /** The line of the text whose moves are marked. */
   readonly line: number | undefined;
-  /** The tool as it runs, with its radius [mm]. */
-  readonly tool: { readonly at: Point3; readonly radius: number } | undefined;
+  /** The tool as it runs, with its radius [mm], and the axis that it turns about. */
+  readonly tool:
+    | { readonly at: Point3; readonly radius: number; readonly axis: 0 | 1 | 2 }
+    | undefined;
   /** Of the vertices of a piece, one in so many is drawn. */
   readonly thin: number;
 }
@@ -183,31 +185,37 @@ function drawAxes(
 function drawTool(
   context: Context,
   camera: Camera,
-  { at, radius }: NonNullable<SpaceScene["tool"]>,
+  { at, radius, axis }: NonNullable<SpaceScene["tool"]>,
   toScreen: (p: Point3) => Point,
   palette: Palette,
 ): void {
-  const [x, y, z] = at;
-  const top = z + TOOL_LENGTH * Math.max(radius, 2 / camera.scale);
-  const { right } = axesOf(camera);
-  const side = (sign: number, height: number) =>
-    toScreen([x + sign * radius * right[0], y + sign * radius * right[1], height]);
+  const [a1, a2] = [(axis + 1) % 3, (axis + 2) % 3] as [0 | 1 | 2, 0 | 1 | 2];
+  /** A point beside the axis of the tool, at a height above its end. */
+  const place = (angle: number, height: number) => {
+    const p = [...at] as [number, number, number];
+    p[a1] = at[a1] + radius * Math.cos(angle);
+    p[a2] = at[a2] + radius * Math.sin(angle);
+    p[axis] += height;
+    return toScreen(p);
+  };
+  const length = TOOL_LENGTH * Math.max(radius, 2 / camera.scale);
+  // The edges that are seen lie where the circle is widest across the axis.
+  const { right, up } = axesOf(camera);
+  const [dx, dy] = [right[axis], up[axis]];
+  const across = (k: 0 | 1 | 2) => right[k] * dy - up[k] * dx;
+  const edge = Math.hypot(dx, dy) < 1e-9 ? 0 : Math.atan2(across(a2), across(a1));
   const circle = (height: number) => {
     const path = new Path2D();
     for (let i = 0; i <= CHORDS; i += 1) {
-      const angle = (2 * Math.PI * i) / CHORDS;
-      const [px, py] = toScreen([
-        x + radius * Math.cos(angle),
-        y + radius * Math.sin(angle),
-        height,
-      ]);
+      const [px, py] = place((2 * Math.PI * i) / CHORDS, height);
       if (i === 0) path.moveTo(px, py);
       else path.lineTo(px, py);
     }
     return path;
   };
   const body = new Path2D();
-  const [a, b, c, d] = [side(-1, z), side(-1, top), side(1, top), side(1, z)];
+  const [a, b] = [place(edge + Math.PI, 0), place(edge + Math.PI, length)];
+  const [c, d] = [place(edge, length), place(edge, 0)];
   body.moveTo(...a);
   for (const point of [b, c, d]) body.lineTo(...point);
   body.closePath();
@@ -215,7 +223,7 @@ function drawTool(
   context.strokeStyle = palette.tool;
   context.lineWidth = 1.5;
   context.fill(body);
-  for (const path of [circle(z), circle(top)]) {
+  for (const path of [circle(0), circle(length)]) {
     context.fill(path);
     context.stroke(path);
   }

@@ -9,8 +9,7 @@ import type { Stage } from "../stage";
 import type { State, Store } from "../state";
 import type { Size } from "../view";
 import {
-  type Box3,
-  boxOfSpace,
+  boxOfStrokes,
   type Camera,
   depthsOf,
   fitted,
@@ -22,6 +21,7 @@ import {
   zoomed,
 } from "./camera";
 import { drawSpace } from "./draw";
+import type { Box3 } from "./strokes";
 
 const ICON = "M12 3l8 4.5v9L12 21l-8-4.5v-9zM12 12l8-4.5M12 12v9M12 12L4 7.5";
 /** Room around the moves, for their numbers [px]. */
@@ -51,8 +51,7 @@ const ARROWS: Readonly<Record<string, Point>> = {
 /** What is derived of a result. */
 interface Known {
   readonly of: Result;
-  /** The box around what the tool cuts, and around what is to be in sight. */
-  readonly cut: Box3 | undefined;
+  /** The box around what is to be in sight. */
   readonly seen: Box3 | undefined;
   readonly depths: readonly number[];
 }
@@ -172,9 +171,9 @@ export class SpaceView {
   #derived(): Known | undefined {
     const { result } = this.#store.state;
     if (!result || this.#known?.of === result) return result && this.#known;
-    const cut = boxOfSpace(result.space, ["free", "lead", "cut"]);
-    const seen = boxOfSpace(result.space, ["free", "lead", "cut", "contour"]);
-    this.#known = { of: result, cut, seen, depths: depthsOf(result.space, BANDS) };
+    const { strokes, cut } = result.space;
+    const depths = depthsOf(strokes, BANDS);
+    this.#known = { of: result, seen: boxOfStrokes(strokes), depths };
     this.#extents.textContent = cut ? extentsOf(cut) : "";
     return this.#known;
   }
@@ -187,20 +186,21 @@ export class SpaceView {
     const ratio = this.#canvas.width / Math.max(1, this.#size.width);
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     const known = this.#derived();
-    const strokes = result?.space ?? [];
+    const strokes = result?.space.strokes ?? [];
     const vertices = strokes.reduce((sum, { lines }) => sum + lines.length, 0);
     drawSpace(context, {
       camera: this.#camera,
       size: this.#size,
       palette: this.#palette,
       strokes,
-      box: known?.cut,
+      box: result?.space.cut,
       depths: known?.depths ?? [],
       line: hover ?? caret ?? pointed,
       tool: result &&
         played && {
           at: played.point,
           radius: Math.abs(radiusOn(result, contourAt(result, played.line))),
+          axis: spindleOf(result),
         },
       thin: this.#isTurning ? Math.ceil(vertices / MOST_TURNING) : 1,
     });
@@ -209,7 +209,7 @@ export class SpaceView {
   /** Chooses the line of the move at a place. */
   #pick(at: Point): void {
     const toScreen = projection(this.#camera, this.#size);
-    const line = lineAt(this.#store.state.result?.space ?? [], toScreen, at, REACH);
+    const line = lineAt(this.#store.state.result?.space.strokes ?? [], toScreen, at, REACH);
     this.#store.set({ pointed: line, caret: undefined, selection: undefined, chosen: undefined });
   }
 
@@ -283,10 +283,15 @@ export class SpaceView {
   }
 }
 
+/** The axis that the tool turns about: across the plane that it is compensated in, else z. */
+function spindleOf({ axes, contours }: Result): 0 | 1 | 2 {
+  return contours.length > 0 ? ((3 - axes[0] - axes[1]) as 0 | 1 | 2) : 2;
+}
+
 /** How far a box goes along each axis, a line for each. */
 function extentsOf({ min, max }: Box3): string {
-  // Vertices are kept in single precision: what it adds is taken off again.
-  const said = (value: number) => format(Math.round(value * 1000) / 1000);
+  // Arcs are chords here: a third decimal would be theirs.
+  const said = (value: number) => format(value, 2);
   const rows = [0, 1, 2].map((axis) => {
     const [from, to] = [said(min[axis] as number), said(max[axis] as number)];
     const length = said((max[axis] as number) - (min[axis] as number));

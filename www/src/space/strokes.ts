@@ -1,8 +1,8 @@
 // What is drawn of a program in space: polylines of x, y and z by what they are there for, made by the
 // worker that computes.
 
-import type { Moves, StrokeKind } from "../large/strokes";
-import { MoveRole } from "../result";
+import { kindOf, type Moves, type StrokeKind } from "../large/strokes";
+import type { MoveRole } from "../result";
 
 /** Polylines of one kind. */
 export interface SpaceStrokes {
@@ -11,6 +11,22 @@ export interface SpaceStrokes {
   readonly points: Float32Array;
   /** For each vertex, the line of the text that the chord ending there comes from; 0 for none. */
   readonly lines: Uint32Array;
+}
+
+/** A point [mm]. */
+export type Point3 = readonly [x: number, y: number, z: number];
+
+/** A box [mm]. */
+export interface Box3 {
+  readonly min: Point3;
+  readonly max: Point3;
+}
+
+/** What is drawn in space. */
+export interface Space {
+  readonly strokes: readonly SpaceStrokes[];
+  /** Around all moves that cut, also where the strokes are thinned; undefined where none does. */
+  readonly cut: Box3 | undefined;
 }
 
 /** Polylines as the package gives them. */
@@ -24,7 +40,7 @@ interface Polylines {
 const MOST_VERTICES = 200_000;
 
 /** All strokes of a path and of the contours that it follows. */
-export function spaceStrokesOf(contours: Polylines, path: Polylines, moves: Moves): SpaceStrokes[] {
+export function spaceOf(contours: Polylines, path: Polylines, moves: Moves): Space {
   const { roles, lines, rapids, rapidLines } = moves;
   const pens = { free: new Pen(), lead: new Pen(), cut: new Pen() };
   const thin = Math.ceil(path.owners.length / MOST_VERTICES);
@@ -55,18 +71,29 @@ export function spaceStrokesOf(contours: Polylines, path: Polylines, moves: Move
     rapid.begin(rapids, 2 * i, line);
     rapid.add(rapids, 2 * i + 1, line);
   }
-  return [
+  const strokes: SpaceStrokes[] = [
     { kind: "rapid", ...rapid.drawn() },
     { kind: "free", ...pens.free.drawn() },
     { kind: "contour", ...contour.drawn() },
     { kind: "lead", ...pens.lead.drawn() },
     { kind: "cut", ...pens.cut.drawn() },
   ];
+  return { strokes, cut: boxOf3([path.points3]) };
 }
 
-function kindOf(role: MoveRole): "free" | "lead" | "cut" {
-  if (role === MoveRole.Free) return "free";
-  return role === MoveRole.Segment || role === MoveRole.Transition ? "cut" : "lead";
+/** The box around points given as x0, y0, z0, x1, …; undefined for none. */
+export function boxOf3(arrays: readonly ArrayLike<number>[]): Box3 | undefined {
+  const min: [number, number, number] = [Infinity, Infinity, Infinity];
+  const max: [number, number, number] = [-Infinity, -Infinity, -Infinity];
+  for (const points of arrays) {
+    for (let i = 0; i < points.length; i += 1) {
+      const [value, axis] = [points[i] as number, (i % 3) as 0 | 1 | 2];
+      // NaN, between two pieces, is neither less nor more.
+      if (value < min[axis]) min[axis] = value;
+      if (value > max[axis]) max[axis] = value;
+    }
+  }
+  return min[0] > max[0] ? undefined : { min, max };
 }
 
 /** Collects polylines. */
