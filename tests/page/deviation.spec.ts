@@ -83,3 +83,14 @@ test("the plot follows the settings, and the pointer on it moves the tool", asyn
   await g41.frames(2);
   expect(await tool()).not.toBe(first);
 });
+
+test("the numbers of the axis stand near what the curve reaches", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open("ellipse");
+  await page.getByRole("button", { name: "Deviation plot" }).click();
+  const plots = page.locator(".deviation-plot");
+  await expect(plots).toHaveCount(2);
+  // The spline through the moved type points is off by 118 µm.
+  await expect(plots.last().locator("text", { hasText: /^\+100$/ })).toHaveCount(1);
+  await expect(plots.last().locator("text", { hasText: /^−100$/ })).toHaveCount(1);
+});

@@ -83,6 +83,10 @@ test("on a small phone all buttons above the picture stand in one row, wide enou
     expect(width, "room for a finger").toBeGreaterThanOrEqual(36);
     expect(right, "none is cut off").toBeLessThanOrEqual(360);
   }
+  for (const name of ["Open", /^Save/]) {
+    const box = await page.getByRole("button", { name }).first().boundingBox();
+    expect(box?.height, `the height of ${name}`).toBeGreaterThanOrEqual(44);
+  }
   const scroll = await page.evaluate(() => document.documentElement.scrollWidth);
   expect(scroll, "the page does not scroll sideways").toBeLessThanOrEqual(360);
 });

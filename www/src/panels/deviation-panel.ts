@@ -228,8 +228,11 @@ function usual(d: Float64Array): number {
 
 /** Where numbers stand on the axis of deviations: the band, and further out what is left room for. */
 function ticks(range: number, tolerance: number): number[] {
-  const step = gridStep(1 / range, 0.35);
-  const sizes = tolerance > 0.3 * range ? [tolerance] : [step];
+  // The largest of 1, 2 and 5 times a power of ten that has room; 0.36 finds one always.
+  const step = [0.95, 0.7, 0.5, 0.36]
+    .map((share) => gridStep(1 / range, share))
+    .find((size) => size <= 0.95 * range);
+  const sizes = tolerance > 0.3 * range || step === undefined ? [tolerance] : [step];
   return [0, ...sizes.flatMap((size) => [size, -size])].filter((off) => Math.abs(off) <= range);
 }
 
