@@ -2,6 +2,7 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 
+import { changed, costsOf, inThreads } from "../../dist/cli/costs.js";
 import { compensate, parseProgram } from "../../dist/node.js";
 import { corner, installed, sample } from "./command.mjs";
 
@@ -68,6 +69,24 @@ test("--json has the numbers of the tables", async () => {
     costs.map(({ duration: other }) => other > 0),
     [true, true, true, true, true],
   );
+});
+
+test("what limits cost is the same found by threads or without", async () => {
+  const source = { text, parse: {}, compensate: { radius: 2 } };
+  const path = compensate(parseProgram(text), { radius: 2 });
+  const others = changed(mill);
+  const costs = await costsOf(path, source, mill, { seconds: 0, samples: 1000 });
+  assert.deepEqual(
+    costs.map(({ name }) => name),
+    [...others.keys()],
+  );
+  for (const threads of [2, 3, 5]) {
+    assert.deepEqual(
+      await inThreads(source, [...others.values()], threads),
+      costs.map(({ duration }) => duration),
+      `by ${threads} threads`,
+    );
+  }
 });
 
 test("--csv writes the samples to a file", async () => {

@@ -1,8 +1,7 @@
-// What the time of a motion goes into: blocks of the program, and limits of the machine.
+// What the time of a motion goes into, by blocks of the program.
 import { RECORD_STRIDE } from "../moves.js";
 
 /** @typedef {import("../types.d.ts").ToolPath} ToolPath */
-/** @typedef {import("../types.d.ts").Limits} Limits */
 /** @typedef {import("../types.d.ts").Motion} Motion */
 
 /**
@@ -16,13 +15,8 @@ import { RECORD_STRIDE } from "../moves.js";
  * @property {number} time [s]
  */
 
-/** @typedef {{ name: string, duration: number }} Cost */
-
 /** Moves that are looked at in one go, for the sake of memory. */
 const slice = 50_000;
-
-/** Paths of more moves than this are not planned again and again. */
-const many = 20_000;
 
 /** Places in a record. */
 const [block, number] = [4, 5];
@@ -78,33 +72,4 @@ function waysOf({ x, y, z, block }, count) {
     ways[owner] = /** @type {number} */ (ways[owner]) + Math.hypot(...away);
   }
   return ways;
-}
-
-/**
- * How long the path would take if one thing were otherwise; nothing for a very long path.
- *
- * @param {ToolPath} path
- * @param {Limits} limits
- * @returns {Cost[]}
- */
-export function costsOf(path, limits) {
-  if (path.count > many) {
-    return [];
-  }
-  const { acceleration, jerk, velocity, cornerDeviation = 0.05, snap } = limits;
-  const twice = snap === undefined ? {} : { snap: 2 * snap };
-  /** @type {(name: string, change: Partial<Limits>) => Cost} */
-  const cost = (name, change) => {
-    const motion = path.plan({ ...limits, ...change });
-    const { duration } = motion;
-    motion[Symbol.dispose]?.();
-    return { name, duration };
-  };
-  return [
-    cost("twice the velocity", { velocity: 2 * velocity }),
-    cost("twice the acceleration", { acceleration: 2 * acceleration }),
-    cost("twice the jerk", { jerk: 2 * jerk, ...twice }),
-    cost("twice the corner deviation", { cornerDeviation: 2 * cornerDeviation }),
-    cost("a stop at each block", { exactStop: true }),
-  ];
 }

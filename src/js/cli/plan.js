@@ -2,7 +2,8 @@
 
 import { csvPieces } from "../motion.js";
 import { compensate, parseProgram } from "../node.js";
-import { blocksOf, costsOf } from "./cycle_time.js";
+import { costsOf } from "./costs.js";
+import { blocksOf } from "./cycle_time.js";
 import { exit, misused } from "./failure.js";
 import { nameOf, readProgram, standard } from "./input.js";
 import { limitsOf } from "./limits.js";
@@ -50,20 +51,29 @@ export async function plan(files, values) {
   let broken = 0;
   try {
     progress.next();
-    const program = parseProgram(text, parseOptions(values));
+    const source = {
+      text,
+      parse: parseOptions(values),
+      compensate: programOptions(values, tools),
+    };
+    const program = parseProgram(text, source.parse);
     progress.next();
-    const path = compensate(program, programOptions(values, tools));
+    const path = compensate(program, source.compensate);
     program[Symbol.dispose]?.();
     progress.next();
     found = path.diagnostics;
+    const began = performance.now();
     const motion = path.plan(limits);
+    const seconds = (performance.now() - began) / 1000;
+    const samples = motion.time.length;
+    const costs = costsOf(path, source, limits, { seconds, samples });
     const { duration, violations } = motion;
     broken = violations.length;
     const planned = {
       duration,
       tools: motion.toolTimes(),
       blocks: blocksOf(path, motion),
-      costs: costsOf(path, limits),
+      costs: await costs,
       violations,
     };
     if (csv !== undefined) {

@@ -1,7 +1,7 @@
 // The tables of g41 plan, for people to read.
 
 /** @typedef {import("./cycle_time.js").BlockTime} BlockTime */
-/** @typedef {import("./cycle_time.js").Cost} Cost */
+/** @typedef {import("./costs.js").Cost} Cost */
 /** @typedef {import("../types.d.ts").ToolTime} ToolTime */
 /** @typedef {import("../types.d.ts").Violation} Violation */
 
