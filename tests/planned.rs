@@ -72,6 +72,17 @@ fn where_coordinates_are_given_other_numbers_no_time_passes() {
 }
 
 #[test]
+fn moves_that_words_make_take_their_time() {
+    let down = time_of("G0 X0 Y0 Z30\nG1 Z0 F6000\nG0 Z30\n");
+    assert_near(time_of("G0 X0 Y0 Z30\nG38.2 Z0 F6000\nG0 Z30\n"), down, "a probe as a line");
+    let text = "G21 G90\nG0 X0 Y0 Z10\nG38.2 Z0 F100\nG0 Z2\nX20\n";
+    let (path, limits) = (path_of(text), Limits::default());
+    let motion = plan_path(&path, &limits).expect("the limits are right");
+    let found = motion.violations(&path.moves, &limits);
+    assert!(found.velocity.ratio() <= 1.0, "nothing jumps: {:?}", found.velocity);
+}
+
+#[test]
 fn tools_are_in_the_spindle_from_m6_on_where_there_is_one() {
     let with = |text: &str| tool_changes(&path_of(text));
     assert_eq!(with("G0 X0\nT2 M6\nX5\nT3\nX6\nM6\nX7\n"), [(0, 2.0), (2, 3.0)], "M6");

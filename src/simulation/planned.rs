@@ -118,7 +118,8 @@ impl Course {
             b'M' | b'T' => command = 0.0,
             _ => {}
         });
-        if let Some(reset) = words.reset {
+        // Where the words make moves, those take the tool there.
+        if let Some(reset) = words.reset.filter(|reset| reset.moves == 0) {
             self.planner.jump();
             self.at = Some(reset.at);
         }
