@@ -208,6 +208,34 @@ fn samples_beside_the_path_or_short_of_its_end_are_found() {
 }
 
 #[test]
+fn the_distance_from_a_steep_helix_is_taken_in_space() {
+    // A quarter of a circle of 1 mm while the tool goes down by 20 mm, and samples that are moved off it
+    // along the helix's binormal.
+    let turn = std::f64::consts::FRAC_PI_2;
+    let arc = Arc::from_center(dvec2(1.0, 0.0), dvec2(0.0, 1.0), DVec2::ZERO, false, 1e-9)
+        .expect("it is one");
+    let moves = [Move { heights: [20.0, 0.0], ..one_move(MoveCurve::Arc(arc), None) }];
+    let (rise, count) = (-20.0 / turn, 200);
+    let beside = |off: f64| {
+        motion_of(count + 1, |time| {
+            let angle = turn * time / (count as f64 * PERIOD);
+            let (sin, cos) = angle.sin_cos();
+            let binormal = dvec3(rise * sin, -rise * cos, 1.0) / rise.hypot(1.0);
+            let room = (10.0 * (turn - angle) * angle).min(1.0);
+            dvec3(cos, sin, 20.0 + rise * angle) + binormal * (off * room)
+        })
+    };
+    let limits =
+        Limits { velocity: 1e3, acceleration: 1e9, jerk: 1e12, chord_error: 1.0, ..loose() };
+    for off in [0.049, 0.0499] {
+        assert_eq!(broken(&beside(off), &moves, &limits), NONE, "{off} is within the deviation");
+    }
+    assert_eq!(broken(&beside(0.0503), &moves, &limits), ["deviation"], "it is beyond");
+    let found = beside(0.06).violations(&moves, &limits).deviation.value;
+    assert_near(found, 0.06, 1e-4, "by as much as the samples are");
+}
+
+#[test]
 fn a_jump_of_coordinates_is_no_motion() {
     let moves = [line(dvec2(0.0, 0.0), dvec2(1.0, 0.0)), line(dvec2(50.0, 0.0), dvec2(51.0, 0.0))];
     let mut motion = motion_of(201, |time| {

@@ -8,6 +8,7 @@ use glam::DVec3;
 
 use super::{Limits, Motion};
 use crate::contour::{Move, MoveCurve};
+use crate::geometry::least;
 
 /// How many moves on either side of the one that a sample names are looked at, at most, for the
 /// nearest point.
@@ -165,13 +166,13 @@ impl Motion {
         let limit = limits.corner_deviation.max(1.0e-6);
         for k in 0..self.len() {
             let (point, block) = (self.point(k), (self.block[k] as usize).min(most));
-            let mut near = distance(&moves[block], point);
+            let mut near = distance(&moves[block], point, limit);
             for step in 1..=MOST_NEIGHBOURS {
                 if near <= limit || step > most {
                     break;
                 }
-                near = near.min(distance(&moves[block.saturating_sub(step)], point));
-                near = near.min(distance(&moves[(block + step).min(most)], point));
+                near = near.min(distance(&moves[block.saturating_sub(step)], point, limit));
+                near = near.min(distance(&moves[(block + step).min(most)], point, limit));
             }
             found.deviation.meet(near, limit, self.time[k]);
         }
@@ -239,20 +240,23 @@ fn to_line(start: DVec3, end: DVec3, point: DVec3) -> f64 {
     point.distance(start + along * t)
 }
 
-/// The distance of a point from a move [mm]; on a move that climbs along a bend, from the point that
-/// is nearest in its plane.
-fn distance(one: &Move, point: DVec3) -> f64 {
-    match &one.curve {
-        MoveCurve::Line(_) | MoveCurve::Vertical(_) => {
-            let [start, end] = ends(one);
-            to_line(start, end, point)
-        }
-        curve => {
-            let (flat, height) = one.plane.split(point);
-            let nearest = curve.nearest(flat);
-            let [low, high] = one.heights;
-            let climbed = low + (high - low) * nearest.t;
-            nearest.point.distance(flat).hypot(height - climbed)
-        }
+/// The distance of a point from a move [mm]; where a bend climbs, one within `enough` may be too large.
+fn distance(one: &Move, point: DVec3, enough: f64) -> f64 {
+    if let MoveCurve::Line(_) | MoveCurve::Vertical(_) = &one.curve {
+        let [start, end] = ends(one);
+        return to_line(start, end, point);
     }
+    let (flat, height) = one.plane.split(point);
+    let [low, high] = one.heights;
+    let mut off = |t: f64| {
+        let climbed = low + (high - low) * t;
+        one.plane.place(one.curve.point(t), climbed).distance(point)
+    };
+    // Between the place that is nearest in the plane, and the one at the height.
+    let mut along = one.curve.nearest(flat).t;
+    if high != low && off(along) > enough {
+        let up = ((height - low) / (high - low)).clamp(0.0, 1.0);
+        along = least([along.min(up), along.max(up)], 60, 1e-9, &mut off);
+    }
+    off(along)
 }
