@@ -82,6 +82,11 @@ impl Rough {
         Some(Self { shape, leg: leg.min(most), most, by_turn })
     }
 
+    /// How much the unit tangents differ.
+    pub(super) fn turn(&self) -> f64 {
+        2.0 * self.shape.half_sine()
+    }
+
     /// The longest blend whose legs are at most `most` [mm], and that stays within `deviation` [mm] of
     /// the two pieces, as the joint does of it.
     pub(super) fn blend(

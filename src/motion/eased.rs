@@ -28,6 +28,17 @@ pub(super) fn shortest_leg(turn: f64, speed: f64, limits: &Limits) -> f64 {
     0.5 * LONGER * acceleration.max(jerk).max(snap)
 }
 
+/// Whether a corner of some legs [mm] is passed before the jerk can have come and gone, at the speed that
+/// its change in time allows and at most at a feed [mm/s], which is one that is come to from rest in as
+/// little time: no law would be found for it, and a stop takes hardly longer.
+pub(super) fn is_too_short(turn: f64, leg: f64, feed: f64, limits: &Limits) -> bool {
+    let whole = 2.0 * leg;
+    let fourth = whole * whole * whole * limits.snap() / (52.5 * turn);
+    let speed = fourth.sqrt().sqrt().min(feed);
+    let least = 2.0 * limits.jerk / limits.snap();
+    whole < least * speed && speed < 0.25 * limits.jerk * least * least
+}
+
 /// A corner between two lines, traversed by its pace: the way that the tool would have gone
 /// meanwhile on the lines.
 #[derive(Debug, Clone, Copy, PartialEq)]

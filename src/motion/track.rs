@@ -7,8 +7,8 @@
 
 use glam::DVec3;
 
-use super::blend::{Rough, SHARPEST};
-use super::eased::shortest_leg;
+use super::blend::{Blend, Rough, SHARPEST};
+use super::eased::{is_too_short, shortest_leg};
 use super::pieces::{chords, pieces};
 use super::{
     Corner, CornerCurve, CornerShape, CurvatureSteps, Eased, Fitted, Fitter, Joint, Limits, Mode,
@@ -397,15 +397,19 @@ impl TrackBuilder {
         let most =
             (incoming.piece.length() - incoming.taken).min((length - wanted).max(0.5 * length));
         let (mut joint, mut leg, mut rounded) = (Joint::Stop, 0.0, None);
+        let feed = incoming.feed.min(outgoing.feed) * self.limits.feed_override;
         match &self.meets {
             Meeting::As(as_is) => joint = *as_is,
             Meeting::Lines(shape, wanted) => {
                 let tangents = [&incoming, &outgoing].map(|one| one.piece.frame(0.0).tangent);
                 let at = outgoing.piece.frame(0.0).point;
                 leg = wanted.min(most);
+                let turn = 2.0 * shape.half_sine();
                 let (a, b) = (&incoming.piece, &outgoing.piece);
                 let legs = [a.part(a.length() - leg, a.length()), b.part(0.0, leg)];
-                if shape.curve() == CornerCurve::Eased {
+                if is_too_short(turn, leg, feed, &self.limits) {
+                    leg = 0.0;
+                } else if shape.curve() == CornerCurve::Eased {
                     joint = Joint::Smooth;
                     let curve = Piece::Eased(Eased::with_leg(at, tangents, leg));
                     rounded = Some((curve, Some(Box::new(legs))));
@@ -424,9 +428,13 @@ impl TrackBuilder {
                 let (a, b) = (&incoming.piece, &outgoing.piece);
                 let deviation = self.deviation - incoming.off.max(outgoing.off);
                 let blend = rough.blend(a, b, most, deviation);
-                if let Some(blend) =
-                    blend.filter(|blend| as_is.is_eased_by(blend.piece.length(), &self.limits))
-                {
+                let turn = rough.turn();
+                let is_eased = |blend: &Blend| {
+                    as_is.is_eased_by(blend.piece.length(), &self.limits)
+                        && !(*as_is == Joint::Stop
+                            && is_too_short(turn, blend.leg, feed, &self.limits))
+                };
+                if let Some(blend) = blend.filter(is_eased) {
                     leg = blend.leg;
                     joint = Joint::Smooth;
                     let legs = [a.part(a.length() - leg, a.length()), b.part(0.0, leg)];

@@ -3,8 +3,9 @@
 use g41::contour::Move;
 use g41::motion::{AxisLimits, CornerCurve, CurvatureSteps, Limits, Motion, Planner, plan};
 
-use glam::DVec3;
+use glam::{DVec2, DVec3};
 
+use crate::common::random::Random;
 use crate::shapes;
 
 /// What rounding may add to a limit's whole.
@@ -52,6 +53,29 @@ fn no_limit_is_broken_on_polylines() {
         hold("star", &shapes::star(), &limits);
         hold("random 2-D", &shapes::random_2d(), &limits);
         hold("random 3-D", &shapes::random_3d(), &limits);
+    }
+}
+
+#[test]
+fn no_limit_is_broken_at_sharp_corners_beside_tiny_lines() {
+    // What rounding to four decimals leaves between two moves, and far less.
+    let mut random = Random::new(41);
+    for case in 0..150 {
+        let limits = Limits { fit: case % 2 == 0, ..fast() };
+        let tiny = 10.0_f64.powf(random.within(-7.5, -2.0));
+        let mut points = vec![DVec3::ZERO];
+        let mut angle = 0.0;
+        for k in 0..5 {
+            let length = if k == 2 { tiny } else { random.within(2.0, 12.0) };
+            points.push(points[k] + DVec2::from_angle(angle).extend(0.0) * length);
+            angle += random.within(-2.8, 2.8);
+        }
+        let mut moves = shapes::polyline(&points);
+        let feed = 10.0_f64.powf(random.within(-1.0, 2.0));
+        for one in &mut moves {
+            one.feed = Some(feed);
+        }
+        hold(&format!("case {case}: a line of {tiny:e} mm at {feed} mm/s"), &moves, &limits);
     }
 }
 
