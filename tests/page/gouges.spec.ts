@@ -170,3 +170,22 @@ test("a pocket is cleared in passes where gouges are avoided", async ({ page }) 
   await expect.poll(async () => (await g41.output.inputValue()).length).toBeLessThan(many);
   expect(g41.errors).toEqual([]);
 });
+
+test("a program with thousands of gouges is shown before anyone gives it up", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  // Waves, row by row, in whose hollows the tool does not fit; one for every few lines.
+  const lines = ["G21 G90 G17", "G0 X-20 Y-20", "G41 D1 G1 X0 Y0 F600"];
+  for (let i = 0; i < 40_000; i += 1) {
+    const [row, place] = [Math.floor(i / 300), i % 300];
+    const x = row % 2 === 0 ? place / 2 : 150 - place / 2;
+    const y = 12 * row + 2 * Math.sin(place / 10) + 0.5 * Math.sin(place / 3 + row);
+    lines.push(`G1 X${x.toFixed(3)} Y${y.toFixed(4)}`);
+  }
+  await g41.drop({ name: "waves.nc", text: [...lines, "G40 X-20 Y-40", "M30", ""].join("\n") });
+  const summary = page.locator("#diagnostics .summary");
+  await expect(summary).toContainText(/\d,\d{3} gouges/, { timeout: 20_000 });
+  await page.locator(".diagnostic button").first().click();
+  await expect(page.locator(".diagnostic button").first()).toHaveAttribute("aria-pressed", "true");
+  expect(g41.errors, "errors of the page").toEqual([]);
+});

@@ -1,9 +1,10 @@
 // What is wrong with the fit of the tool: where it cuts too deep, and what it does not reach.
 
 import type { Diagnostic, Gouge, Origin, Uncut } from "g41";
+import { trackOf } from "./draw/track";
 import { format } from "./expression";
 import { distance, nearestOnLine, type Point } from "./geometry";
-import { contourAt, forRuns, type Result, radiusOn } from "./result";
+import { contourAt, type Result, radiusOn } from "./result";
 
 /** A place in the picture where the tool does not fit. */
 interface Place {
@@ -111,7 +112,7 @@ function gougePlace(result: Result, gouge: Gouge, index: number): GougePlace {
     at,
     depth,
     radius,
-    center: deepest(result, at, radius - depth),
+    center: deepest(result.path, at, radius - depth, radius),
   };
 }
 
@@ -138,12 +139,22 @@ function linesOf(origins: readonly Origin[]): number[] {
 }
 
 /** Where on the path the tool stands when it is at a distance from a point, as near as it comes. */
-function deepest({ path }: Result, at: Point, away: number): Point {
+function deepest(
+  { points, starts }: Result["path"],
+  at: Point,
+  away: number,
+  radius: number,
+): Point {
+  const pieces = new Set(starts);
+  const vertex = (i: number): Point => [points[2 * i] as number, points[2 * i + 1] as number];
   let best: Point = at;
-  let least = Number.POSITIVE_INFINITY;
-  forRuns(path, (_, first, last) => {
-    for (let i = first; i < last; i += 1) {
-      const { point } = nearestOnLine(at, vertex(path, i), vertex(path, i + 1));
+  // Among the chords near the point alone: there may be as many gouges as there are chords.
+  let least = 2 * radius;
+  const reach = () => away + least;
+  trackOf(points).near(at, reach, (first, end) => {
+    for (let i = first + 1; i <= end; i += 1) {
+      if (pieces.has(i)) continue;
+      const { point } = nearestOnLine(at, vertex(i - 1), vertex(i));
       const off = Math.abs(distance(point, at) - away);
       if (off < least) {
         least = off;
@@ -152,10 +163,6 @@ function deepest({ path }: Result, at: Point, away: number): Point {
     }
   });
   return best;
-}
-
-function vertex({ points }: Result["path"], i: number): Point {
-  return [points[2 * i] as number, points[2 * i + 1] as number];
 }
 
 /** The centroid of an outline, or its first vertex where it has no area. */

@@ -147,11 +147,12 @@ function summarize(result: Result): string {
   const parts = (["error", "warning", "info"] as const).flatMap((severity) => {
     const count = counts[severity];
     if (count === 0) return [];
-    return `${count} ${MARKS[severity].toLowerCase()}${count === 1 ? "" : "s"}`;
+    return `${count.toLocaleString("en")} ${MARKS[severity].toLowerCase()}${count === 1 ? "" : "s"}`;
   });
   if (diagnostics.length > MOST) parts.push(`the first ${MOST} are listed`);
   const [deepest] = gouges;
-  if (deepest) parts.push(`${gouges.length} gouge${gouges.length === 1 ? "" : "s"}`);
+  if (deepest)
+    parts.push(`${gouges.length.toLocaleString("en")} gouge${gouges.length === 1 ? "" : "s"}`);
   if (uncut.length > 0) {
     const area = uncut.reduce((sum, region) => sum + region.area, 0);
     const places = `${uncut.length} place${uncut.length === 1 ? "" : "s"}`;
