@@ -8,6 +8,7 @@ import { nearestHandle, type PointRef, pointAtLine } from "./part";
 import type { Stage } from "./stage";
 import type { Store } from "./state";
 import { dragStep, toScreen, toWorld } from "./view";
+import { zoomByWheel } from "./wheel";
 
 /** How near a pointer must be to a point to take hold of it [px]: fingers need 44 px targets. */
 const GRAB = { mouse: 11, pen: 16, touch: 26 } as const;
@@ -189,17 +190,7 @@ export function connectPointers(stage: Stage, store: Store, drag: Drag): void {
     if (pointers.size === 0) stage.point(undefined, undefined, undefined, false);
   });
   canvas.addEventListener("contextmenu", (event) => event.preventDefault());
-  canvas.addEventListener(
-    "wheel",
-    (event) => {
-      event.preventDefault();
-      const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
-      // A pinch on a trackpad arrives as a wheel with Ctrl and small steps.
-      const speed = event.ctrlKey ? 0.01 : 0.0016;
-      stage.zoom(Math.exp(-event.deltaY * lines * speed), place(event));
-    },
-    { passive: false },
-  );
+  zoomByWheel(canvas, (factor, event) => stage.zoom(factor, place(event)));
   for (const [name, held] of [
     ["keydown", true],
     ["keyup", false],

@@ -8,6 +8,7 @@ import { contourAt, type Result, radiusOn } from "../result";
 import type { Stage } from "../stage";
 import type { State, Store } from "../state";
 import type { Size } from "../view";
+import { zoomByWheel } from "../wheel";
 import {
   boxOfStrokes,
   type Camera,
@@ -256,16 +257,7 @@ export class SpaceView {
     canvas.addEventListener("pointerup", finish);
     canvas.addEventListener("pointercancel", finish);
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
-    canvas.addEventListener(
-      "wheel",
-      (event) => {
-        event.preventDefault();
-        const lines = event.deltaMode === WheelEvent.DOM_DELTA_LINE ? 16 : 1;
-        const speed = event.ctrlKey ? 0.01 : 0.0016;
-        this.zoom(Math.exp(-event.deltaY * lines * speed), place(event));
-      },
-      { passive: false },
-    );
+    zoomByWheel(canvas, (factor, event) => this.zoom(factor, place(event)));
     canvas.addEventListener("keydown", (event) => this.#key(event));
   }
 
