@@ -25,7 +25,7 @@ pub(super) struct Blend {
 /// A joint that a blend is wanted at.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rough {
-    shape: CornerShape,
+    pub(super) shape: CornerShape,
     /// The leg that the deviation allows, as far as the joint itself tells [mm].
     pub(super) leg: f64,
     /// The longest leg that is of use [mm].
@@ -80,11 +80,6 @@ impl Rough {
         }
         let by_turn = a * leg > 0.5 * deviation;
         Some(Self { shape, leg: leg.min(most), most, by_turn })
-    }
-
-    /// How much the unit tangents differ.
-    pub(super) fn turn(&self) -> f64 {
-        2.0 * self.shape.half_sine()
     }
 
     /// The longest blend whose legs are at most `most` [mm], and that stays within `deviation` [mm] of

@@ -15,6 +15,9 @@ use crate::geometry::nth_root;
 /// and ends gently, take some.
 const LONGER: f64 = 1.25;
 
+/// The largest third derivative of `f`: what the change of the jerk in time goes with.
+const CHANGE: f64 = 52.5;
+
 /// About the shortest leg [mm] of a corner between two unit tangents that differ by `turn`, with which
 /// a speed [mm/s] is kept.
 ///
@@ -24,7 +27,7 @@ pub(super) fn shortest_leg(turn: f64, speed: f64, limits: &Limits) -> f64 {
     let square = speed * speed;
     let acceleration = 35.0 / 16.0 * turn * square / limits.acceleration;
     let jerk = (84.0 / 125.0_f64.sqrt() * turn * square * speed / limits.jerk).sqrt();
-    let snap = nth_root(52.5 * turn * square * square / limits.snap(), 3);
+    let snap = nth_root(CHANGE * turn * square * square / limits.snap(), 3);
     0.5 * LONGER * acceleration.max(jerk).max(snap)
 }
 
@@ -33,7 +36,7 @@ pub(super) fn shortest_leg(turn: f64, speed: f64, limits: &Limits) -> f64 {
 /// little time: no law would be found for it, and a stop takes hardly longer.
 pub(super) fn is_too_short(turn: f64, leg: f64, feed: f64, limits: &Limits) -> bool {
     let whole = 2.0 * leg;
-    let fourth = whole * whole * whole * limits.snap() / (52.5 * turn);
+    let fourth = whole * whole * whole * limits.snap() / (CHANGE * turn);
     let speed = fourth.sqrt().sqrt().min(feed);
     let least = 2.0 * limits.jerk / limits.snap();
     whole < least * speed && speed < 0.25 * limits.jerk * least * least

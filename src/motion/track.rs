@@ -360,7 +360,7 @@ impl TrackBuilder {
         if !is_turn && self.steps != CurvatureSteps::Round || deviation <= 0.0 {
             return Meeting::As(kept);
         }
-        let feed = before.feed.min(next.feed) * self.limits.feed_override;
+        let feed = self.slower(before, next);
         let as_is = joint.or_slight_turn(&end, &start, feed, &self.limits);
         let enough = self.enough(before, next, turn);
         // Rounding what is slow enough as it is would only take longer.
@@ -374,10 +374,15 @@ impl TrackBuilder {
         }
     }
 
+    /// The slower feed of two pieces, with its override [mm/s].
+    fn slower(&self, before: &Stretch, next: &Stretch) -> f64 {
+        before.feed.min(next.feed) * self.limits.feed_override
+    }
+
     /// The longest leg that is of use between two pieces [mm]: with another feed on either side the
     /// slower one holds on all of it, and longer than that takes it is only slow.
     fn enough(&self, before: &Stretch, next: &Stretch, turn: f64) -> f64 {
-        let slower = before.feed.min(next.feed) * self.limits.feed_override;
+        let slower = self.slower(before, next);
         let faster = before.feed.max(next.feed).min(self.limits.velocity);
         if self.limits.mode == Mode::Fast && ALIKE * faster > slower {
             shortest_leg(turn, slower, &self.limits)
@@ -397,17 +402,16 @@ impl TrackBuilder {
         let most =
             (incoming.piece.length() - incoming.taken).min((length - wanted).max(0.5 * length));
         let (mut joint, mut leg, mut rounded) = (Joint::Stop, 0.0, None);
-        let feed = incoming.feed.min(outgoing.feed) * self.limits.feed_override;
+        let feed = self.slower(&incoming, &outgoing);
         match &self.meets {
             Meeting::As(as_is) => joint = *as_is,
             Meeting::Lines(shape, wanted) => {
                 let tangents = [&incoming, &outgoing].map(|one| one.piece.frame(0.0).tangent);
                 let at = outgoing.piece.frame(0.0).point;
                 leg = wanted.min(most);
-                let turn = 2.0 * shape.half_sine();
                 let (a, b) = (&incoming.piece, &outgoing.piece);
                 let legs = [a.part(a.length() - leg, a.length()), b.part(0.0, leg)];
-                if is_too_short(turn, leg, feed, &self.limits) {
+                if is_too_short(shape.difference(), leg, feed, &self.limits) {
                     leg = 0.0;
                 } else if shape.curve() == CornerCurve::Eased {
                     joint = Joint::Smooth;
@@ -428,11 +432,11 @@ impl TrackBuilder {
                 let (a, b) = (&incoming.piece, &outgoing.piece);
                 let deviation = self.deviation - incoming.off.max(outgoing.off);
                 let blend = rough.blend(a, b, most, deviation);
-                let turn = rough.turn();
-                let is_eased = |blend: &Blend| {
-                    as_is.is_eased_by(blend.piece.length(), &self.limits)
-                        && !(*as_is == Joint::Stop
-                            && is_too_short(turn, blend.leg, feed, &self.limits))
+                let is_eased = |blend: &Blend| match as_is {
+                    Joint::Stop => {
+                        !is_too_short(rough.shape.difference(), blend.leg, feed, &self.limits)
+                    }
+                    _ => as_is.is_eased_by(blend.piece.length(), &self.limits),
                 };
                 if let Some(blend) = blend.filter(is_eased) {
                     leg = blend.leg;

@@ -68,10 +68,10 @@ impl CornerShape {
         self.half_cos
     }
 
-    /// Sine of half the turn.
+    /// How much the two unit tangents differ: twice the sine of half the turn.
     #[must_use]
-    pub fn half_sine(&self) -> f64 {
-        2.0 * self.sin * self.cos
+    pub fn difference(&self) -> f64 {
+        4.0 * self.sin * self.cos
     }
 
     /// Arc length [mm]; for degree 13 `(13635 + 3488 C − 2108 C²)/15015`.
