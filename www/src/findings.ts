@@ -3,7 +3,7 @@
 import type { Diagnostic, Gouge, Origin, Uncut } from "g41";
 import { trackOf } from "./draw/track";
 import { format } from "./expression";
-import { distance, nearestOnLine, type Point } from "./geometry";
+import { distance, type Point } from "./geometry";
 import { contourAt, type Result, radiusOn } from "./result";
 
 /** A place in the picture where the tool does not fit. */
@@ -51,7 +51,8 @@ const known = new WeakMap<Result, readonly Finding[]>();
 export function findingsOf(result: Result): readonly Finding[] {
   const before = known.get(result);
   if (before) return before;
-  const gouges = result.gouges.map((gouge, i) => gougePlace(result, gouge, i));
+  const starts = new Set(result.path.starts);
+  const gouges = result.gouges.map((gouge, i) => gougePlace(result, starts, gouge, i));
   const uncut = result.uncut
     .filter(({ area, outline }) => area >= LEAST_AREA && outline.length >= 6)
     .map((region, i) => uncutPlace(result, region, i));
@@ -94,7 +95,12 @@ export function linesInWords(lines: readonly number[]): string {
   return `lines ${first} to ${lines.at(-1)}`;
 }
 
-function gougePlace(result: Result, gouge: Gouge, index: number): GougePlace {
+function gougePlace(
+  result: Result,
+  starts: ReadonlySet<number>,
+  gouge: Gouge,
+  index: number,
+): GougePlace {
   const { at, depth, segments, kind } = gouge;
   const lines = linesOf(segments);
   const radius = Math.abs(radiusOn(result, contourAt(result, lines[0])));
@@ -112,7 +118,7 @@ function gougePlace(result: Result, gouge: Gouge, index: number): GougePlace {
     at,
     depth,
     radius,
-    center: deepest(result.path, at, radius - depth, radius),
+    center: deepest(result.path, starts, at, { away: radius - depth, radius }),
   };
 }
 
@@ -140,28 +146,26 @@ function linesOf(origins: readonly Origin[]): number[] {
 
 /** Where on the path the tool stands when it is at a distance from a point, as near as it comes. */
 function deepest(
-  { points, starts }: Result["path"],
+  { points }: Result["path"],
+  starts: ReadonlySet<number>,
   at: Point,
-  away: number,
-  radius: number,
+  { away, radius }: { away: number; radius: number },
 ): Point {
-  const pieces = new Set(starts);
-  const vertex = (i: number): Point => [points[2 * i] as number, points[2 * i + 1] as number];
   let best: Point = at;
   // Among the chords near the point alone: there may be as many gouges as there are chords.
   let least = 2 * radius;
-  const reach = () => away + least;
-  trackOf(points).near(at, reach, (first, end) => {
-    for (let i = first + 1; i <= end; i += 1) {
-      if (pieces.has(i)) continue;
-      const { point } = nearestOnLine(at, vertex(i - 1), vertex(i));
+  trackOf(points).nearChords(
+    at,
+    starts,
+    () => away + least,
+    ({ point }) => {
       const off = Math.abs(distance(point, at) - away);
       if (off < least) {
         least = off;
         best = point;
       }
-    }
-  });
+    },
+  );
   return best;
 }
 

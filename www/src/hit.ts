@@ -2,7 +2,7 @@
 
 import { type Track, trackOf } from "./draw/track";
 import { isFollowed, transitionPlace } from "./draw/transition";
-import { distance, nearestOnLine, type Point } from "./geometry";
+import { distance, type Point } from "./geometry";
 import type { Part } from "./part";
 import type { Lines, Result } from "./result";
 
@@ -30,20 +30,11 @@ export function nearestOnTrack(
   p: Point,
   within: number,
 ): Omit<Nearest, "owner"> | undefined {
-  const starts = new Set(first);
   let best: Omit<Nearest, "owner"> | undefined;
   const reach = () => best?.distance ?? within;
-  const vertex = (i: number): Point => [
-    track.points[2 * i] as number,
-    track.points[2 * i + 1] as number,
-  ];
-  track.near(p, reach, (from, end) => {
-    for (let i = from + 1; i <= end; i += 1) {
-      if (starts.has(i)) continue;
-      const near = nearestOnLine(p, vertex(i - 1), vertex(i));
-      const d = distance(near.point, p);
-      if (d < reach()) best = { ...near, distance: d, vertex: i };
-    }
+  track.nearChords(p, new Set(first), reach, (near, vertex) => {
+    const d = distance(near.point, p);
+    if (d < reach()) best = { ...near, distance: d, vertex };
   });
   return best;
 }

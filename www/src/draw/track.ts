@@ -1,6 +1,6 @@
 // Polylines of very many vertices, of which only as many are drawn as the view can show.
 
-import type { Point } from "../geometry";
+import { nearestOnLine, type Point } from "../geometry";
 import type { Box } from "../view";
 
 /** Vertices that share a box. */
@@ -64,6 +64,27 @@ export class Track {
         visit(chunk * CHUNK, Math.min(count - 1, (chunk + 1) * CHUNK));
       }
     }
+  }
+
+  /**
+   * Calls `visit` with the nearest place of each chord whose chunk is near a point, and the vertex at the
+   * end of the chord; from the end of one polyline to the start of the next there is none.
+   */
+  nearChords(
+    p: Point,
+    starts: ReadonlySet<number>,
+    reach: () => number,
+    visit: (place: { point: Point; t: number }, vertex: number) => void,
+  ): void {
+    const vertex = (i: number): Point => [
+      this.points[2 * i] as number,
+      this.points[2 * i + 1] as number,
+    ];
+    this.near(p, reach, (first, end) => {
+      for (let i = first + 1; i <= end; i += 1) {
+        if (!starts.has(i)) visit(nearestOnLine(p, vertex(i - 1), vertex(i)), i);
+      }
+    });
   }
 
   /** Adds the polyline from vertex `first` to vertex `last` to a path. */
