@@ -176,3 +176,42 @@ test("a very long program is shown in space as well", async ({ page }) => {
   await expect(page.locator(".space-extents")).toHaveText(/X 0 … 99 .*\nY .*\nZ -1.98 … 5 /);
   expect(g41.errors, "errors of the page").toEqual([]);
 });
+
+test("the legend names what shows in space alone, as plunges", async ({ page }) => {
+  const g41 = await inSpace(page, SQUARE);
+  const named = page.locator(".legend li:visible");
+  await expect(named, "in space").toContainText([
+    "Contour",
+    "Tool path",
+    "Not compensated",
+    "Lead",
+  ]);
+  await page.getByRole("button", { name: "3D view" }).click();
+  await expect(named.filter({ hasText: "Not compensated" }), "in the plane").toHaveCount(0);
+  expect(g41.errors, "errors of the page").toEqual([]);
+});
+
+test("as the tool runs the moves are not drawn again", async ({ page }) => {
+  const g41 = await inSpace(page, SQUARE);
+  await page.getByRole("button", { name: "Motion" }).click();
+  await expect(page.locator("#motion")).toHaveAttribute("aria-busy", "false");
+  await g41.frames(5);
+  await page.evaluate(() => {
+    const strokes = { count: 0 };
+    Object.assign(window, { strokes });
+    const { stroke } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.stroke = function (...path: unknown[]) {
+      // The dashes of leads are those of moves alone.
+      if (this.getLineDash().length > 0) strokes.count += 1;
+      Reflect.apply(stroke, this, path);
+    };
+  });
+  const dashed = () =>
+    page.evaluate(() => (window as unknown as { strokes: { count: number } }).strokes.count);
+  const before = await picture(page);
+  await page.getByRole("slider", { name: "Time" }).fill("400");
+  await expect.poll(() => picture(page), { message: "the tool shows" }).not.toBe(before);
+  expect(await dashed(), "dashed lines drawn as the tool moves").toBe(0);
+  await page.locator("canvas.space").press("ArrowLeft");
+  await expect.poll(dashed, { message: "turned, they are drawn again" }).toBeGreaterThan(0);
+});

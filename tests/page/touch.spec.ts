@@ -123,3 +123,30 @@ test("one finger turns the picture in space, two go nearer", async ({ page }) =>
   expect(await picture(), "two go nearer").not.toBe(second);
   expect(g41.errors, "errors of the page").toEqual([]);
 });
+
+test("as the tool runs in space, its place covers no view, and nothing else", async ({ page }) => {
+  await page.setViewportSize({ width: 360, height: 740 });
+  const g41 = new G41Page(page);
+  await g41.open();
+  await page.getByRole("button", { name: "3D view" }).tap();
+  await page.getByRole("button", { name: "Motion" }).tap();
+  await expect(page.locator("#motion")).toHaveAttribute("aria-busy", "false");
+  await page.getByRole("slider", { name: "Time" }).fill("400");
+  await expect(page.locator("#readout")).toHaveText(/X.*Y.*Z/);
+  const box = async (selector: string) => {
+    const found = await page.locator(selector).boundingBox();
+    if (!found) throw new Error(`${selector} is not shown`);
+    return found;
+  };
+  const readout = await box("#readout");
+  for (const selector of [".space-views .choice-row", ".space-extents"]) {
+    const other = await box(selector);
+    const isBeside =
+      readout.y >= other.y + other.height ||
+      other.y >= readout.y + readout.height ||
+      readout.x >= other.x + other.width ||
+      other.x >= readout.x + readout.width;
+    expect(isBeside, `the place of the tool beside ${selector}`).toBe(true);
+  }
+  expect(g41.errors, "errors of the page").toEqual([]);
+});

@@ -4,6 +4,7 @@ import type { Transition } from "g41";
 import { plungesOf } from "../draw/plunges";
 import { isFollowed } from "../draw/transition";
 import { findingsOf } from "../findings";
+import type { StrokeKind } from "../large/strokes";
 import { FIELD, MoveRole, RAPID, type Result } from "../result";
 import type { Store } from "../state";
 import { element } from "./elements";
@@ -70,8 +71,8 @@ export function legend(list: HTMLElement, store: Store): void {
     const item = items.get(kind);
     if (item) item.hidden = !isShown;
   };
-  store.subscribe(({ result }, before) => {
-    if (!result || result === before.result) return;
+  store.subscribe(({ result, space }, before) => {
+    if (!result || (result === before.result && space === before.space)) return;
     for (const kind of ["shortened", "elongated", "inserted"] satisfies Transition["kind"][]) {
       const followed = result.transitions.filter((transition) => isFollowed(transition, result));
       const count = followed.filter((transition) => transition.kind === kind).length;
@@ -82,8 +83,10 @@ export function legend(list: HTMLElement, store: Store): void {
     for (const kind of COMPENSATED) show(kind, isCompensated);
     for (const kind of CORNERS) show(kind, isCompensated && !result.long);
     show("plunge", plungesOf(result).length > 0);
-    show("free", result.long !== undefined || hasMoves(result, false));
-    show("rapid", result.long !== undefined || hasMoves(result, true));
+    for (const kind of ["free", "rapid"] as const) {
+      const isDrawn = space ? hasStrokes(result, kind) : hasMoves(result, kind === "rapid");
+      show(kind, result.long !== undefined || isDrawn);
+    }
     const findings = findingsOf(result);
     for (const kind of WHERE_FOUND) {
       const count = findings.filter((finding) => finding.kind === kind).length;
@@ -92,6 +95,11 @@ export function legend(list: HTMLElement, store: Store): void {
       show(kind, count > 0);
     }
   });
+}
+
+/** Whether moves of a kind are drawn in space, where those along the axis of the tool show too. */
+function hasStrokes({ space }: Result, wanted: StrokeKind): boolean {
+  return space.strokes.some(({ kind, lines }) => kind === wanted && lines.length > 0);
 }
 
 /** Whether a path has moves in the plane that are not compensated: rapid ones, or those that cut. */

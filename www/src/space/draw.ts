@@ -1,4 +1,5 @@
-// The picture in space: the box around the moves with its numbers, the axes, the moves, and the tool.
+// The picture in space, in two layers: the box around the moves, the axes and the moves, which change
+// with the camera; and above them what changes more often, the line that is marked and the tool.
 
 import { type Context, labels } from "../draw/canvas";
 import type { Palette } from "../draw/palette";
@@ -8,24 +9,32 @@ import type { Size } from "../view";
 import { axesOf, type Camera, cornersOf, projection } from "./camera";
 import type { Box3, Point3, SpaceStrokes } from "./strokes";
 
-/** What the picture shows. */
-export interface SpaceScene {
+/** How both layers are seen. */
+interface Sight {
   readonly camera: Camera;
   readonly size: Size;
   readonly palette: Palette;
   readonly strokes: readonly SpaceStrokes[];
+}
+
+/** What the lower layer shows. */
+export interface Moves extends Sight {
   /** Around what the tool cuts, without rapid moves. */
   readonly box: Box3 | undefined;
   /** Heights that part the moves that cut into bands, each of another strength [mm]; rising. */
   readonly depths: readonly number[];
+  /** Of the vertices of a piece, one in so many is drawn. */
+  readonly thin: number;
+}
+
+/** What the upper layer shows. */
+export interface Marks extends Sight {
   /** The line of the text whose moves are marked. */
   readonly line: number | undefined;
   /** The tool as it runs, with its radius [mm], and the axis that it turns about. */
   readonly tool:
     | { readonly at: Point3; readonly radius: number; readonly axis: 0 | 1 | 2 }
     | undefined;
-  /** Of the vertices of a piece, one in so many is drawn. */
-  readonly thin: number;
 }
 
 /** How faint the highest moves are. */
@@ -50,9 +59,9 @@ const DASHES: Partial<Readonly<Record<StrokeKind, readonly number[]>>> = {
   lead: [6, 4],
 };
 
-/** Draws everything. */
-export function drawSpace(context: Context, scene: SpaceScene): void {
-  const { size, palette, strokes, camera, line, tool, box } = scene;
+/** Draws the lower layer. */
+export function drawMoves(context: Context, moves: Moves): void {
+  const { size, palette, strokes, camera, box } = moves;
   const toScreen = projection(camera, size);
   context.fillStyle = palette.paper;
   context.fillRect(0, 0, size.width, size.height);
@@ -60,23 +69,35 @@ export function drawSpace(context: Context, scene: SpaceScene): void {
   context.lineCap = "round";
   if (box) drawBox(context, box, toScreen, palette);
   const names = drawAxes(context, camera, toScreen, palette);
-  for (const each of strokes) drawStrokes(context, each, scene, toScreen);
+  for (const each of strokes) drawStrokes(context, each, moves, toScreen);
+  labels(context, names, palette.ink, palette.paper);
+}
+
+/** Draws the upper layer. */
+export function drawMarks(context: Context, marks: Marks): void {
+  const { size, palette, strokes, camera, line, tool } = marks;
+  const toScreen = projection(camera, size);
+  context.lineJoin = "round";
+  context.lineCap = "round";
   if (line !== undefined) drawLine(context, strokes, line, toScreen, palette.accent);
   if (tool) drawTool(context, camera, tool, toScreen, palette);
-  labels(context, names, palette.ink, palette.paper);
 }
 
 function drawStrokes(
   context: Context,
   { kind, points }: SpaceStrokes,
-  { palette, depths, thin }: SpaceScene,
+  { palette, depths, thin }: Moves,
   toScreen: (p: Point3) => Point,
 ): void {
   // What lies deeper is stronger; contours and rapid moves are the same at all heights.
   const isBanded = kind === "free" || kind === "cut";
   const steps = isBanded ? depths : [];
   const bands = Array.from({ length: steps.length + 1 }, () => new Path2D());
-  const bandOf = (z: number) => steps.filter((step) => z > step).length;
+  const bandOf = (z: number) => {
+    let band = 0;
+    while (band < steps.length && z > (steps[band] as number)) band += 1;
+    return band;
+  };
   let before: { at: Point; band: number } | undefined;
   const count = points.length / 3;
   for (let i = 0; i < count; i += 1) {
@@ -185,7 +206,7 @@ function drawAxes(
 function drawTool(
   context: Context,
   camera: Camera,
-  { at, radius, axis }: NonNullable<SpaceScene["tool"]>,
+  { at, radius, axis }: NonNullable<Marks["tool"]>,
   toScreen: (p: Point3) => Point,
   palette: Palette,
 ): void {

@@ -21,12 +21,15 @@ import {
   VIEWS,
   zoomed,
 } from "./camera";
-import { drawSpace } from "./draw";
+import { drawMarks, drawMoves } from "./draw";
 import type { Box3 } from "./strokes";
 
 const ICON = "M12 3l8 4.5v9L12 21l-8-4.5v-9zM12 12l8-4.5M12 12v9M12 12L4 7.5";
-/** Room around the moves, for their numbers [px]. */
+/** Room around the moves, for the axes [px]; and in a small picture. */
 const MARGIN = 56;
+const SMALL_MARGIN = 32;
+/** A side that makes a picture small [px]. */
+const SMALL = 480;
 /** How far a pixel of dragging turns [rad]. */
 const TURN = 0.01;
 /** How far an arrow key turns [rad]. */
@@ -35,8 +38,10 @@ const KEY_TURN = Math.PI / 36;
 const KEY_PAN = 40;
 /** How near the pointer must be to a move [px]. */
 const REACH = 9;
-/** Vertices that are drawn while the picture turns. */
-const MOST_TURNING = 24_000;
+/** Vertices that are drawn while the picture moves. */
+const MOST_MOVING = 24_000;
+/** After this without another move of the picture all of them are drawn [ms]. */
+const SETTLED = 150;
 /** Depths that are told from each other. */
 const BANDS = 6;
 /** How far a click may slip [px]. */
@@ -76,7 +81,13 @@ export class SpaceView {
   #frame = 0;
   /** Whether everything is shown, and not what someone has moved or scaled to. */
   #isFitted = true;
-  #isTurning = false;
+  /** All but what is marked and the tool, as it was last drawn. */
+  #moves = element("canvas");
+  #isStale = true;
+  /** Set while the picture moves. */
+  #settling = 0;
+  /** Where mouse and fingers hold the picture. */
+  #pointers = new Map<number, Point>();
   #extents = element("output", {
     class: "space-extents",
     "aria-label": "Extents of what is cut",
@@ -117,6 +128,7 @@ export class SpaceView {
   /** Chooses the light or the dark palette. */
   setScheme(scheme: "light" | "dark"): void {
     this.#palette = scheme === "dark" ? DARK : LIGHT;
+    this.#isStale = true;
     this.#redraw();
   }
 
@@ -124,30 +136,61 @@ export class SpaceView {
   fit(): void {
     this.#isFitted = true;
     const box = this.#derived()?.seen;
-    if (box) this.#camera = fitted(this.#camera, box, this.#size, MARGIN);
+    const { width, height } = this.#size;
+    const margin = Math.min(width, height) < SMALL ? SMALL_MARGIN : MARGIN;
+    if (box) this.#camera = fitted(this.#camera, box, this.#size, margin);
+    this.#isStale = true;
     this.#redraw();
   }
 
   /** Goes nearer or farther, about a place of the canvas, by default its middle. */
   zoom(factor: number, at: Point = [this.#size.width / 2, this.#size.height / 2]): void {
     this.#isFitted = false;
-    this.#camera = zoomed(this.#camera, factor, at, this.#size);
-    this.#redraw();
+    this.#look(zoomed(this.#camera, factor, at, this.#size));
   }
 
   #pan(dx: number, dy: number): void {
     this.#isFitted = false;
-    this.#camera = panned(this.#camera, dx, dy);
-    this.#redraw();
+    this.#look(panned(this.#camera, dx, dy));
   }
 
   #turn(yaw: number, pitch: number): void {
-    this.#camera = turned(this.#camera, yaw, pitch);
     this.#views.show(undefined);
+    this.#look(turned(this.#camera, yaw, pitch));
+  }
+
+  /** Looks from elsewhere: roughly as long as the picture moves, then at all there is. */
+  #look(camera: Camera): void {
+    this.#camera = camera;
+    this.#isStale = true;
+    this.#settle();
     this.#redraw();
   }
 
+  /** Draws all there is once nothing holds or moves the picture any more. */
+  #settle(): void {
+    clearTimeout(this.#settling);
+    this.#settling = window.setTimeout(() => {
+      if (this.#pointers.size > 0) {
+        this.#settle();
+        return;
+      }
+      this.#settling = 0;
+      if (this.#thinning() === 1) return;
+      this.#isStale = true;
+      this.#redraw();
+    }, SETTLED);
+  }
+
+  /** Of how many vertices one is drawn while the picture moves. */
+  #thinning(): number {
+    const strokes = this.#store.state.result?.space.strokes ?? [];
+    const vertices = strokes.reduce((sum, { lines }) => sum + lines.length, 0);
+    return Math.max(1, Math.ceil(vertices / MOST_MOVING));
+  }
+
   #changed(state: State, before: State): void {
+    if (state.result !== before.result) this.#isStale = true;
     if (state.result !== before.result && this.#isFitted) this.fit();
     else this.#redraw();
   }
@@ -157,8 +200,11 @@ export class SpaceView {
     if (width === 0) return;
     this.#size = { width, height };
     const ratio = devicePixelRatio || 1;
-    this.#canvas.width = Math.round(width * ratio);
-    this.#canvas.height = Math.round(height * ratio);
+    for (const canvas of [this.#canvas, this.#moves]) {
+      canvas.width = Math.round(width * ratio);
+      canvas.height = Math.round(height * ratio);
+    }
+    this.#isStale = true;
     if (this.#isFitted) this.fit();
     cancelAnimationFrame(this.#frame);
     this.#draw();
@@ -182,20 +228,25 @@ export class SpaceView {
   #draw(): void {
     this.#frame = 0;
     const context = this.#canvas.getContext("2d");
-    if (!context) return;
+    const below = this.#moves.getContext("2d");
+    if (!context || !below) return;
     const { result, hover, caret, pointed, played } = this.#store.state;
     const ratio = this.#canvas.width / Math.max(1, this.#size.width);
-    context.setTransform(ratio, 0, 0, ratio, 0, 0);
     const known = this.#derived();
     const strokes = result?.space.strokes ?? [];
-    const vertices = strokes.reduce((sum, { lines }) => sum + lines.length, 0);
-    drawSpace(context, {
-      camera: this.#camera,
-      size: this.#size,
-      palette: this.#palette,
-      strokes,
-      box: result?.space.cut,
-      depths: known?.depths ?? [],
+    const sight = { camera: this.#camera, size: this.#size, palette: this.#palette, strokes };
+    if (this.#isStale) {
+      below.setTransform(ratio, 0, 0, ratio, 0, 0);
+      const depths = known?.depths ?? [];
+      const thin = this.#settling ? this.#thinning() : 1;
+      drawMoves(below, { ...sight, box: result?.space.cut, depths, thin });
+      this.#isStale = false;
+    }
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.drawImage(this.#moves, 0, 0);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    drawMarks(context, {
+      ...sight,
       line: hover ?? caret ?? pointed,
       tool: result &&
         played && {
@@ -203,7 +254,6 @@ export class SpaceView {
           radius: Math.abs(radiusOn(result, contourAt(result, played.line))),
           axis: spindleOf(result),
         },
-      thin: this.#isTurning ? Math.ceil(vertices / MOST_TURNING) : 1,
     });
   }
 
@@ -216,7 +266,7 @@ export class SpaceView {
 
   #connect(): void {
     const canvas = this.#canvas;
-    const pointers = new Map<number, Point>();
+    const pointers = this.#pointers;
     let pressed: Point | undefined;
     const place = (event: MouseEvent): Point => {
       const box = canvas.getBoundingClientRect();
@@ -237,7 +287,6 @@ export class SpaceView {
       pointers.set(event.pointerId, at);
       if (pressed && distance(pressed, at) < SLIP) return;
       pressed = undefined;
-      this.#isTurning = true;
       const [dx, dy] = [at[0] - before[0], at[1] - before[1]];
       const other = [...pointers].find(([id]) => id !== event.pointerId)?.[1];
       if (other) {
@@ -250,9 +299,6 @@ export class SpaceView {
       if (!pointers.delete(event.pointerId)) return;
       if (pressed && event.type === "pointerup") this.#pick(pressed);
       pressed = undefined;
-      if (pointers.size > 0) return;
-      this.#isTurning = false;
-      this.#redraw();
     };
     canvas.addEventListener("pointerup", finish);
     canvas.addEventListener("pointercancel", finish);
