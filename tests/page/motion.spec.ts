@@ -306,6 +306,25 @@ test("on a low screen all plots are in sight", async ({ page }) => {
   expect(bottom, "the last plot ends within the window").toBeLessThanOrEqual(700);
 });
 
+test("title and lines of a plot are named at one height", async ({ page }) => {
+  await opened(page, "star");
+  const bottoms = await page
+    .locator(".motion-plot figcaption")
+    .first()
+    .locator("strong, .motion-key")
+    .evaluateAll((all) =>
+      all.map((e) => {
+        const range = document.createRange();
+        range.selectNodeContents(e.lastChild as Node);
+        return range.getBoundingClientRect().bottom;
+      }),
+    );
+  expect(bottoms.length, "the title, and two lines").toBe(3);
+  for (const bottom of bottoms) {
+    expect(bottom, "where a name ends").toBeCloseTo(bottoms[0] as number, 0);
+  }
+});
+
 test("while the tool runs it is told where it is, on all three axes", async ({ page }) => {
   const g41 = await opened(page, "star");
   await g41.drop({
