@@ -196,6 +196,7 @@ test("a panel that cannot show it is closed", async ({ page }) => {
   await drop();
   await expect(page.locator(".file-name")).toHaveText("relief.nc", { timeout: 90_000 });
   await expect(button).toBeDisabled();
+  await expect(button, "it says why").toHaveAttribute("title", /too long/);
   await expect(page.locator("#motion")).toBeHidden();
   expect(g41.errors).toEqual([]);
 });

@@ -7,7 +7,7 @@ import type { Point } from "../geometry";
 import type { Stage } from "../stage";
 import type { Store } from "../state";
 import { gridStep } from "../view";
-import { closesOthers } from "./drawer";
+import { closesOnLong, closesOthers } from "./drawer";
 import { element, iconButton } from "./elements";
 
 const ICON = "M4 19h16M4 19V5M7 13c2-7 4-7 5-2s3 6 4 1 2-5 4-5";
@@ -117,12 +117,10 @@ export function deviationPanel(
   };
   button.addEventListener("click", toggle);
   closesOthers(button);
+  // Of a very long program it would take as long as everything else.
+  closesOnLong(button, store);
   new ResizeObserver(draw).observe(section);
   store.subscribe((state, before) => {
-    // Of a very long program it would take as long as everything else.
-    button.disabled = state.history.present.file !== undefined;
-    // A panel whose button is disabled could not be closed, and shows the program before.
-    if (button.disabled && !section.hidden) toggle();
     const { text, settings } = state.history.present;
     const old = before.history.present;
     if (text === old.text && settings === old.settings) return;

@@ -3,7 +3,7 @@
 import type { MotionPanel } from "../motion/motion-panel";
 import type { Stage } from "../stage";
 import type { Store } from "../state";
-import { closesOthers } from "./drawer";
+import { closesOnLong, closesOthers } from "./drawer";
 import { element, iconButton } from "./elements";
 
 const ICON = "M5.6 18.4a9 9 0 1 1 12.8 0M12 13l4-4M12 13h.01";
@@ -48,11 +48,7 @@ export function motionButton(
   };
   button.addEventListener("click", toggle);
   closesOthers(button);
-  store.subscribe((state) => {
-    // Of a very long program it would take as long as everything else.
-    button.disabled = state.history.present.file !== undefined;
-    // A panel whose button is disabled could not be closed, and shows the program before.
-    if (button.disabled && !section.hidden) toggle();
-  });
+  // Of a very long program it would take as long as everything else.
+  closesOnLong(button, store);
   return () => panel?.recolour();
 }
