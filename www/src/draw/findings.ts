@@ -9,6 +9,8 @@ import type { Palette } from "./palette";
 
 /** Distance of hatch lines [px]. */
 const HATCH = 7;
+/** Thinner than this nothing of what is cut too deep is seen [px]. */
+const LEAST_DEPTH = 0.3;
 
 const patterns = new Map<string, HTMLCanvasElement>();
 
@@ -24,7 +26,9 @@ export function drawFindings(
   const lenses = new Path2D();
   for (const finding of findingsOf(result)) {
     if (finding.kind === "uncut") addOutline(uncut, view, finding.outline);
-    else if (!hasMaterial) addLens(lenses, view, finding);
+    else if (!hasMaterial && finding.depth * view.scale > LEAST_DEPTH) {
+      addLens(lenses, view, finding);
+    }
   }
   context.save();
   context.fillStyle = palette.uncutFill;
