@@ -32,7 +32,7 @@ impl PathBuilder {
             } else {
                 end
             };
-            self.push(*curve, role, attributes, [height, to]);
+            self.piece(*curve, role, attributes, [height, to]);
             height = to;
         }
         if climbs
@@ -40,7 +40,7 @@ impl PathBuilder {
             && let Some(at) = self.position()
         {
             // The segment has come to a point; its change of height has not.
-            self.push(MoveCurve::Vertical(at), role, attributes, [start, end]);
+            self.piece(MoveCurve::Vertical(at), role, attributes, [start, end]);
         }
     }
 
@@ -52,7 +52,8 @@ impl PathBuilder {
         attributes: &Attributes,
         heights: [f64; 2],
     ) {
-        self.push(curve, role, attributes, heights);
+        let Attributes { origin, feed, rapid, plane, .. } = *attributes;
+        self.path.moves.push(Move { curve, role, rapid, feed, plane, heights, origin });
     }
 
     /// A straight move to `point`. If the tool is there already, only its height changes.
@@ -72,13 +73,8 @@ impl PathBuilder {
             && from.distance(to) > MIN_LENGTH
             && let Ok(line) = Line::new(from, to)
         {
-            self.push(MoveCurve::Line(line), role, attributes, [height; 2]);
+            self.piece(MoveCurve::Line(line), role, attributes, [height; 2]);
         }
-    }
-
-    fn push(&mut self, curve: MoveCurve, role: Role, attributes: &Attributes, heights: [f64; 2]) {
-        let Attributes { origin, feed, rapid, plane, .. } = *attributes;
-        self.path.moves.push(Move { curve, role, rapid, feed, plane, heights, origin });
     }
 }
 

@@ -332,7 +332,8 @@ fn usable_points(
     origin: Origin,
     diagnostics: &mut Vec<Diagnostic>,
 ) -> Vec<DVec2> {
-    let mut usable = vec![start];
+    let mut usable = Vec::with_capacity(points.len() + 1);
+    usable.push(start);
     for (i, &point) in points.iter().enumerate() {
         let previous = usable[usable.len() - 1];
         if previous.distance(point) < MIN_LENGTH {

@@ -279,10 +279,6 @@ fn clear_jobs(
     let options = &Options { tolerance, spline: SplineMethod::Exact, ..*options };
     let (mut work, nodes) = Workpiece::new(jobs, options);
     let mut tree = OrderTree::new(nodes);
-    if !work.corners.is_empty() {
-        // Whether there is a straight way round them will be asked.
-        tree.prepare();
-    }
     let loose = CLEAR_SHARE * tolerance;
     let slack = if whole.has_spline { loose } else { EXACT.max(finest).min(loose) };
     let slack = slack + work.gap.min(GAP_SHARE * tolerance);
@@ -291,6 +287,10 @@ fn clear_jobs(
     let fates = sieve(&work, &marks, &mut Clearance::new(&work, &tree, least), tolerance);
     let whole_chains = whole_chains(&work, &fates);
     let is_whole = whole_chains.is_some();
+    if is_whole && work.corners.is_empty() {
+        // Nothing more is asked; the moves take its place in memory.
+        tree = OrderTree::new(Vec::new());
+    }
     let Strung { stretches, chained, lost } = match whole_chains {
         Some(chained) => Strung { stretches: Vec::new(), chained, lost: Vec::new() },
         None => cut_out(&mut work, &tree, fates, Fit { radius, tolerance, slack, finest }, whole),

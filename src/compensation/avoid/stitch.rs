@@ -68,7 +68,7 @@ impl Stitcher<'_> {
             }
         }
         for job in 0..jobs.len() {
-            self.events_before(job, usize::MAX, self.work.jobs[job].contour.start());
+            self.events_before(job, usize::MAX, None);
         }
     }
 
@@ -91,7 +91,7 @@ impl Stitcher<'_> {
         self.builder.piece(curve, role, &lead.attributes, heights);
     }
 
-    #[inline(never)]
+    #[inline]
     fn stretch(&self, k: usize) -> Stretch {
         self.stretches.get(k).copied().unwrap_or(Stretch::whole(k))
     }
@@ -120,7 +120,8 @@ impl Stitcher<'_> {
         let mut start = None;
         while k < list.len() {
             let stretch = self.stretch(list[k]);
-            let unit = self.unit(list[k]);
+            let piece = &self.work.pieces[stretch.piece];
+            let unit = piece.unit as usize;
             let before = if k > 0 { Some(list[k - 1]) } else { None };
             let mut to = stretch.to;
             k += 1;
@@ -132,13 +133,14 @@ impl Stitcher<'_> {
                 to = next.to;
                 k += 1;
             }
-            if let Some(before) = before {
+            if let Some(before) = before
+                && self.work.pieces[self.stretch(before).piece].next as usize != stretch.piece
+            {
                 self.report_shortened(before, list[k - 1]);
             }
-            let piece = &self.work.pieces[stretch.piece];
             let of = self.work.units[unit];
             let segment = self.work.segment(unit);
-            self.events_before(of.job as usize, of.segment as usize, self.point(list[0], false));
+            self.events_before(of.job as usize, of.segment as usize, Some(list[0]));
             if before.is_none() {
                 first_move = self.builder.path.moves.len();
             }
@@ -303,12 +305,9 @@ impl Stitcher<'_> {
         self.report(corner.corner, corner.kind, corner.angle, construction, attributes);
     }
 
-    /// The inside corner between two stretches, if they are the moves beside one.
+    /// The inside corner between two stretches that do not follow each other, if they are the moves
+    /// beside one.
     fn report_shortened(&mut self, before: usize, after: usize) {
-        let next = self.work.pieces[self.stretch(before).piece].next as usize;
-        if next == self.stretch(after).piece {
-            return;
-        }
         let (a, b) = (self.unit(before), self.unit(after));
         let range = self.work.range_of(a);
         let step = |at: usize| if at + 1 < range.to { at + 1 } else { range.from };
@@ -366,12 +365,13 @@ impl Stitcher<'_> {
     }
 
     /// Lets happen what is programmed up to the start of a segment and has not happened yet, where the
-    /// tool is; `start` [mm] if it is nowhere yet.
-    fn events_before(&mut self, job: usize, segment: usize, start: DVec2) {
+    /// tool is; at the start of the stretch `first`, or of the contour, if it is nowhere yet.
+    fn events_before(&mut self, job: usize, segment: usize, first: Option<usize>) {
         let contour = self.work.jobs[job].contour;
         while let Some(event) = contour.events().get(self.events[job])
             && event.before <= segment
         {
+            let start = first.map_or(contour.start(), |first| self.point(first, false));
             self.builder.path.happen(event, start);
             self.events[job] += 1;
         }

@@ -70,7 +70,7 @@ pub(in crate::compensation) struct Range {
 pub(in crate::compensation) struct OrderTree {
     /// The units, then groups of four of them, and so on to the root.
     levels: Vec<Vec<Node>>,
-    /// The boxes around their parts of the contour, once they are to be asked for: mostly nothing is near.
+    /// The boxes around their parts of the contour by their places, where their order tells little.
     contours: Option<BoxTree>,
 }
 
@@ -140,13 +140,6 @@ impl OrderTree {
         Self { levels, contours: None }
     }
 
-    /// Gets ready to tell what is near: asked before, it tells of nothing. It is once something is suspect.
-    pub(super) fn prepare(&mut self) {
-        if self.contours.is_none() {
-            self.contours = Some(BoxTree::new(contours(&self.levels[0])));
-        }
-    }
-
     /// Whether the contour lies over itself so often that its order tells little of what is near.
     fn is_tangled(&self) -> bool {
         let around = &self.levels[self.levels.len() - 1][0].contour;
@@ -159,23 +152,16 @@ impl OrderTree {
 
     /// Finds which paths may be too near to the contour.
     pub(in crate::compensation) fn marks(&mut self, ranges: &[Range], limits: Limits) -> Marks {
-        let is_tangled = self.is_tangled();
-        if is_tangled {
-            self.prepare();
-        }
+        self.contours = self.is_tangled().then(|| BoxTree::new(contours(&self.levels[0])));
         let marks =
             Marks { levels: self.levels.iter().map(|level| vec![0; level.len()]).collect() };
         let mut join = Join { tree: self, ranges, limits, marks };
-        if is_tangled {
+        if join.tree.contours.is_some() {
             join.one_by_one();
         } else {
             join.within(join.tree.levels.len() - 1, 0);
         }
-        let marks = join.marks;
-        if marks.levels[0].iter().any(|mark| mark & SUSPECT != 0) {
-            self.prepare();
-        }
-        marks
+        join.marks
     }
 
     /// Calls `visit` with every unit whose contour's box is nearer to `bounds` than `distance` [mm],
@@ -186,12 +172,41 @@ impl OrderTree {
         distance: f64,
         visit: &mut dyn FnMut(usize) -> bool,
     ) -> bool {
+        if distance <= 0.0 {
+            return true;
+        }
+        let around = bounds.inflated(distance);
         let is_far = |unit| self.unit(unit).contour.gap_squared(bounds) >= distance * distance;
-        distance <= 0.0
-            || self.contours.as_ref().is_none_or(|contours| {
-                contours
-                    .meeting(&bounds.inflated(distance), &mut |unit| is_far(unit) || visit(unit))
-            })
+        let visit = &mut |unit| is_far(unit) || visit(unit);
+        match &self.contours {
+            Some(contours) => contours.meeting(&around, visit),
+            None => self.near_below(self.levels.len() - 1, 0, &around, visit),
+        }
+    }
+
+    /// Visits the units below some nodes that follow each other, where their contours' boxes meet
+    /// `bounds`; returns whether to go on.
+    fn near_below(
+        &self,
+        level: usize,
+        from: usize,
+        bounds: &Bounds,
+        visit: &mut dyn FnMut(usize) -> bool,
+    ) -> bool {
+        let nodes = &self.levels[level];
+        for (index, node) in (from..).zip(&nodes[from..nodes.len().min(from + FAN)]) {
+            if node.contour.meets(bounds) {
+                let goes_on = if level == 0 {
+                    visit(index)
+                } else {
+                    self.near_below(level - 1, FAN * index, bounds, visit)
+                };
+                if !goes_on {
+                    return false;
+                }
+            }
+        }
+        true
     }
 
     /// Calls `visit` with every unit that `holds` is true of, and of all that it is part of, in order.
