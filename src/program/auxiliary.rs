@@ -144,6 +144,11 @@ fn m_word(tenths: u32) -> (u8, &'static str) {
     }
 }
 
+/// Whether a P word of the block may be that of its G words or its cycle.
+fn moves_or_waits(block: &Block) -> bool {
+    block.words.iter().any(|word| matches!(word.letter, 'G' | 'X'..='Z'))
+}
+
 impl Interpreter {
     /// M, S, T and O words.
     pub(super) fn auxiliary_words(
@@ -228,7 +233,7 @@ impl Interpreter {
             }
             _ => {}
         }
-        let (rank, letters) = m_word(tenths);
+        let (rank, mut letters) = m_word(tenths);
         if self.rules.is_strict {
             let group = 1 << rank;
             let alone = rank != rank::USER || matches!(tenths, 700..=730 | 980 | 990);
@@ -243,6 +248,10 @@ impl Interpreter {
         }
         if rank == rank::OUTPUT || rank == rank::OVERRIDE {
             self.not_while_on(block, found);
+        }
+        if rank == rank::USER && letters.is_empty() && !moves_or_waits(block) {
+            // Builders of machines tell their clamps and pallets apart by it.
+            letters = "P";
         }
         let mut text = word('M', found.value);
         take_as_text(words, letters, &mut text);

@@ -13,7 +13,7 @@ use super::block::{Block, Word};
 use super::dialect::Dialect;
 use super::frame::radians;
 use super::g_words::{Act, GWord, g_word};
-use super::interpret::{Interpreter, is_axis};
+use super::interpret::{GEOMETRY, Interpreter, is_axis};
 use super::number::whole;
 use super::words::{Words, tenths};
 use crate::contour::Reset;
@@ -288,9 +288,23 @@ impl Interpreter {
         }
         // Only in these is R an angle.
         let is_origin = kind == 2 || kind == 20;
-        let radius_unit = if is_origin { 1.0 } else { unit };
-        if let Some(radius) = radius {
-            append_word(&mut text, 'R', radius.value * radius_unit);
+        let mut size = radius.map(|radius| radius.value * if is_origin { 1.0 } else { unit });
+        if fanuc && self.modal.relative && (is_origin || size.is_some()) {
+            // What is given is added to what is there.
+            let there = match kind {
+                12 => number.and_then(|number| self.modal.radii.of(number)),
+                13 => number.and_then(|number| self.modal.wears.of(number)),
+                _ => None,
+            };
+            let Some(there) = there else {
+                words.take_all(GEOMETRY);
+                let what = "G10 with G91, to add to what only the machine knows,";
+                return self.not_supported(block, word.column, what);
+            };
+            size = size.map(|size| size + there);
+        }
+        if let Some(size) = size {
+            append_word(&mut text, 'R', size);
         }
         let mut given = [None; 3];
         for (i, letter) in AXES.into_iter().enumerate() {
@@ -317,12 +331,14 @@ impl Interpreter {
         } else if let Some(number) = number
             && match kind {
                 1 | 10 | 11 => !fanuc,
-                12 => true,
+                12 | 13 => true,
                 _ => false,
             }
         {
-            if let Some(radius) = radius {
-                self.modal.radii.set(number, radius.value * unit);
+            if let Some(size) = size {
+                let worn = kind == 13;
+                let table = if worn { &mut self.modal.wears } else { &mut self.modal.radii };
+                table.set(number, size);
             }
             if let Some(tip) = tip {
                 self.modal.tips.set(number, f64::from(tip));

@@ -62,6 +62,8 @@ pub(super) struct Modal {
     pub(super) allowance: f64,
     /// Radii that G10 gave tools [mm].
     pub(super) radii: ByTool,
+    /// By how much G10 L13 has them worn: what is added to their radii [mm].
+    pub(super) wears: ByTool,
     /// Which way it has the tips of lathe tools point, 0 to 9.
     pub(super) tips: ByTool,
     /// Where the program is, in program coordinates [mm]: not where the tool is, once compensation
@@ -108,6 +110,7 @@ impl Modal {
             radius_number: None,
             allowance: 0.0,
             radii: ByTool::default(),
+            wears: ByTool::default(),
             tips: ByTool::default(),
             position: DVec3::ZERO,
             stated: [false; 3],

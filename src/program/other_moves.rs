@@ -258,6 +258,10 @@ impl Interpreter {
         if self.rules.is_strict && self.modal.relative {
             return self.refuse("G53 may not be incremental", block.origin_at(word.column));
         }
+        if !self.rules.is_strict && !words.has_any("XYZABCUVW") {
+            // Safe starts name it without a place to go to.
+            return;
+        }
         let motion = match self.modal.motion {
             Some(Motion::Rapid) => "G0",
             Some(Motion::Linear) => "G1",

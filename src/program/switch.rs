@@ -141,10 +141,15 @@ impl Interpreter {
             return (RadiusSource::Given(0.0), OrientationSource::Given(0));
         };
         let (radius, tip) = (self.modal.radii.of(number), self.modal.tips.of(number));
+        let wear = self.modal.wears.of(number).unwrap_or(0.0);
+        if radius.is_none() && wear != 0.0 {
+            let message = "the tool has a wear (G10 L13) and no radius to add it to";
+            self.error("missing-radius", message, origin, "give the radius by G10 L12, too");
+        }
         #[expect(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "0 to 9")]
         let given = |tip: f64| OrientationSource::Given(tip as u8);
         (
-            radius.map_or(RadiusSource::Tool(number), RadiusSource::Given),
+            radius.map_or(RadiusSource::Tool(number), |radius| RadiusSource::Given(radius + wear)),
             tip.map_or(OrientationSource::Tool(number), given),
         )
     }

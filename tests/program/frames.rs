@@ -3,9 +3,11 @@
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use g41::contour::{MoveCurve, Side};
-use g41::program::{Item, RadiusSource};
+use g41::program::{Dialect, Item, RadiusSource};
 
-use super::sample::{found, moves, near, only_contour, read, read_clean, steps, words};
+use super::sample::{
+    codes, found, moves, near, only_contour, read, read_as_fanuc, read_clean, steps, words,
+};
 
 #[test]
 fn an_origin_that_is_moved_gives_the_place_another_number() {
@@ -180,4 +182,40 @@ fn a_frame_that_changes_in_a_contour_ends_it() {
         let seen: Vec<_> = found(&read).iter().map(|f| (f.0, f.2)).collect();
         assert_eq!(seen, [("changed-while-on", 4)], "{words}: {:?}", read.diagnostics);
     }
+}
+
+#[test]
+fn fanuc_adds_the_wear_of_a_tool_to_its_radius_and_under_g91_to_what_is_there() {
+    let text = |words: &str| format!("{words}\nG90 G0 X0 Y-9\nG41 D3 G1 X0 Y0 F100\nX9\nG40 Y-9\n");
+    let cases = [
+        ("G10 L12 P3 R4\nG10 L13 P3 R.5", 4.5),
+        ("G10 L13 P3 R-.5\nG10 L12 P3 R4", 3.5),
+        ("G10 L12 P3 R4\nG10 L13 P2 R.5", 4.0),
+        ("G10 L12 P3 R4\nG91 G10 L12 P3 R-1", 3.0),
+        ("G10 L12 P3 R4\nG10 L13 P3 R.5\nG91 G10 L13 P3 R.25", 4.75),
+        ("G10 L12 P3 R4\nG10 L13 P3 R.5\nG10 L13 P3 R0", 4.0),
+    ];
+    for (words, radius) in cases {
+        let read = read_as_fanuc(&text(words));
+        assert_eq!(only_contour(&read).radius, RadiusSource::Given(radius), "{words}");
+        assert!(read.diagnostics.is_empty(), "{words}: {:?}", read.diagnostics);
+    }
+    let read = read_as_fanuc("G10 L12 P3 R4\nG91 G10 L12 P3 R-1\n");
+    assert_eq!(words(&read), ["G10 L12 P3 R4", "G10 L12 P3 R3"], "written programs are absolute");
+    let refused = [
+        ("G10 L13 P3 R.5", "missing-radius", "only the machine knows the radius"),
+        ("G91 G10 L12 P3 R.5", "not-supported", "only the machine knows the radius that is there"),
+        ("G91 G10 L2 P1 X5", "not-supported", "only the machine knows the origin that is there"),
+    ];
+    for (words, code, why) in refused {
+        assert_eq!(codes(&text(words), Dialect::Fanuc), [code], "{words}: {why}");
+    }
+}
+
+#[test]
+fn words_of_safe_starts_and_clamps_are_no_errors() {
+    let start = read_clean("G53 G90 G40\nG0 X5\nM10 P1\nM60\nG53\n");
+    assert_eq!(words(&start), ["M10 P1", "M60"], "G53 leads nowhere without axes");
+    let dwell = read_as_fanuc("M10 G4 P1500\n");
+    assert_eq!(words(&dwell), ["M10 G4 P1.5"], "P is the time of the dwell");
 }
