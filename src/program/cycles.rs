@@ -88,7 +88,11 @@ impl Interpreter {
         let repeats = self.cycle_numbers(block, number, words);
         let depth = words.take(AXES[normal]);
         if let Some(depth) = depth {
-            self.modal.cycle.depth = Some(self.modal.length_of(normal, depth.value));
+            let length = self.modal.length_of(normal, depth.value);
+            let numbers = &mut self.modal.cycle;
+            // What FANUC keeps are places: G91 behind them adds nothing to them.
+            let from = if fanuc && self.modal.relative { numbers.retract } else { Some(0.0) };
+            numbers.depth = from.map(|from| from + length);
         }
         if !hits {
             return;
@@ -123,7 +127,7 @@ impl Interpreter {
             words.take_all(GEOMETRY);
             return;
         };
-        let (retract, bottom) = if self.modal.relative {
+        let (retract, bottom) = if self.modal.relative && !fanuc {
             (numbers.initial + retract, numbers.initial + retract + bottom)
         } else {
             (retract, bottom)
@@ -151,7 +155,10 @@ impl Interpreter {
         let unit = self.modal.unit();
         if let Some(word) = words.take('R') {
             let normal = self.modal.plane.axes()[2];
-            self.modal.cycle.retract = Some(self.modal.length_of(normal, word.value));
+            let length = self.modal.length_of(normal, word.value);
+            let fanuc = self.dialect == Dialect::Fanuc && self.modal.relative;
+            let from = if fanuc { self.modal.cycle.initial } else { 0.0 };
+            self.modal.cycle.retract = Some(from + length);
         }
         // What a control that is strict has no use for is left, and said not to be understood.
         let strict = self.rules.is_strict;

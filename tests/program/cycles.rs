@@ -168,3 +168,23 @@ fn the_motion_before_fanucs_cycles_is_in_effect_after_them() {
     let cuts = read_as_fanuc("G0 X0 Y0 Z9\nG1 X1 F60\nG81 X1 Z-2 R1\nG80 Z20\n");
     assert_eq!(steps(&cuts).last().map(String::as_str), Some("1 0 20"), "G01, which was before");
 }
+
+#[test]
+fn fanuc_keeps_the_heights_of_a_cycle_where_g91_comes_behind_them() {
+    // A bolt circle whose first hole is absolute, and the others turn on by 120 degrees.
+    let text = "G0 X0 Y0 Z5\nG16\nG99 G81 X50 Y30 Z-3 R2 F100\nG91 Y120\nY120\nG80 G15\n";
+    let read = read_as_fanuc(text);
+    let all = moves(&read);
+    let cuts: Vec<_> = all.iter().filter(|one| !one.rapid).collect();
+    assert_eq!(cuts.len(), 3, "a hole at each: {read:?}");
+    for (cut, angle) in cuts.iter().zip([30.0_f64, 150.0, 270.0]) {
+        let expected = glam::DVec2::from_angle(angle.to_radians()) * 50.0;
+        assert!(cut.curve.start().distance(expected) < 1e-9, "{angle}: {cut:?}");
+        assert_eq!(cut.heights, [2.0, -3.0], "{angle}: from R to the depth");
+    }
+    let incremental = read_as_fanuc("G0 X0 Y0 Z5\nG91 G99 G81 X9 Z-4 R-3 F60\nX9\nG90 X30\n");
+    let expected = ["R 9 0 5", "R 9 0 2", "9 0 -2", "R 9 0 2", "R 18 0 2", "18 0 -2", "R 18 0 2"];
+    let found = after(1, &incremental);
+    assert_eq!(found[..7], expected, "R counts from where it began, the depth from R");
+    assert_eq!(found[7..], ["R 30 0 2", "30 0 -2", "R 30 0 2"], "the same under G90");
+}
