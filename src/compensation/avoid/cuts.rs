@@ -292,6 +292,10 @@ impl Survey<'_> {
                 }
                 Fate::Open => {}
             }
+            if cuts.get(k).is_none_or(|cut| cut.piece != index) {
+                stretches.push(stretch);
+                continue;
+            }
             let length = self.work.pieces[index].curve.length().max(SAME_PLACE);
             while k < cuts.len() && cuts[k].piece == index {
                 let cut = cuts[k];

@@ -172,8 +172,13 @@ impl<'a> Clearance<'a> {
     /// Whether all of a piece is too near, as far as a quick look tells.
     fn is_gouged(&mut self, curve: &MoveCurve, rough: f64) -> bool {
         let hull = hull(curve);
-        if self.covers(self.hint, &hull, rough) {
-            return true;
+        // What is beside it is mostly cut by the same part of the contour, or by what is beside that.
+        let hint = self.hint;
+        for near in [hint, hint.wrapping_add(1), hint.wrapping_sub(1)] {
+            if self.covers(near, &hull, rough) {
+                self.hint = near;
+                return true;
+            }
         }
         let middle = curve.point(0.5);
         let place = Bounds { min: middle, max: middle };
@@ -263,17 +268,20 @@ pub(super) fn sieve(
 ) -> Vec<Fate> {
     let mut fates = vec![Fate::Clear; work.pieces.len()];
     for unit in (0..work.units.len()).filter(|&unit| marks.is_suspect(unit)) {
+        let pieces = work.pieces_of(unit);
+        if marks.is_gouged(unit) {
+            fates[pieces].fill(Fate::Gouged);
+            continue;
+        }
         // Beside cusps the pieces are rough.
-        let rough = match work.curve(unit) {
-            Some(MoveCurve::Cubic(cubic)) if !clearance.tree.unit(unit).fits => {
-                tolerances(Octants::of_cubic(&cubic), tolerance).beside_cusps(&cubic)
-            }
-            _ => 0.0,
-        };
-        for piece in work.pieces_of(unit) {
-            let gouged = marks.is_gouged(unit);
-            let curve = &work.pieces[piece].curve;
-            fates[piece] = if gouged { Fate::Gouged } else { clearance.fate(curve, unit, rough) };
+        let mut rough = 0.0;
+        if !clearance.tree.unit(unit).fits
+            && let Some(MoveCurve::Cubic(cubic)) = work.curve(unit)
+        {
+            rough = tolerances(Octants::of_cubic(&cubic), tolerance).beside_cusps(&cubic);
+        }
+        for piece in pieces {
+            fates[piece] = clearance.fate(&work.pieces[piece].curve, unit, rough);
         }
     }
     fates

@@ -334,6 +334,8 @@ impl Join<'_> {
         let end = self.tree.levels[level - 1].len().min(FAN * (index + 1));
         for child in FAN * index..end {
             self.within(level - 1, child);
+        }
+        for child in FAN * index..end {
             for other in child + 1..end {
                 self.pair_if_news(level - 1, child, other, [true, true]);
             }
@@ -412,6 +414,9 @@ impl Join<'_> {
     /// What nodes tell depends on where their stretches begin; this does not, so that the same part of
     /// a contour gets the same marks wherever it lies in a list.
     fn is_tame_between(&self, a: usize, b: usize) -> bool {
+        if !self.tree.unit(a).fits || !self.tree.unit(b).fits {
+            return false;
+        }
         let range = self.ranges.partition_point(|range| range.to <= a);
         let all = |from: usize, to: usize| self.tree.heading(from, to);
         let is_narrow = |octants: Option<Octants>| octants.is_some_and(Octants::is_narrow);

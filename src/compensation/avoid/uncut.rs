@@ -46,11 +46,13 @@ pub(super) fn uncut(
     sort_pairs(&mut by_start);
     let mut used = vec![false; gaps.len()];
     let mut regions = Vec::new();
+    let mut region = Region::default();
     for first in 0..gaps.len() {
         if used[first] {
             continue;
         }
-        let mut region = Region::default();
+        region.outline.clear();
+        region.segments.clear();
         let mut current = first;
         let begins = foot(work, &gaps[first], 0);
         let mut start = begins;
@@ -115,7 +117,7 @@ impl Region {
     }
 
     /// The region, unless it is thinner than the tolerance all along: nothing anybody would miss.
-    fn finished(mut self, work: &Workpiece, tolerance: f64) -> Option<Uncut> {
+    fn finished(&mut self, work: &Workpiece, tolerance: f64) -> Option<Uncut> {
         let area = 0.5 * doubled_area(&self.outline).abs();
         let around: f64 = self.outline.windows(2).map(|pair| pair[0].distance(pair[1])).sum();
         if area <= 0.5 * tolerance * around {
@@ -131,7 +133,7 @@ impl Region {
                 segments.push(segments_of[segment].attributes.origin);
             }
         }
-        Some(Uncut { outline: self.outline, area, segments })
+        Some(Uncut { outline: self.outline.clone(), area, segments })
     }
 }
 

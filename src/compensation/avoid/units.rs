@@ -118,7 +118,8 @@ impl<'a> Workpiece<'a> {
         let work = Self {
             jobs,
             units: Vec::with_capacity(count),
-            pieces: Vec::with_capacity(count),
+            // More than one a unit where there are cusps.
+            pieces: Vec::with_capacity(count + count / 4),
             corners: Vec::new(),
             ranges: Vec::with_capacity(jobs.len()),
             gap: 0.0,
@@ -175,11 +176,9 @@ impl<'a> Workpiece<'a> {
         let mut before = None;
         for unit in 0..self.units.len() {
             let to = self.units[unit].pieces_end as usize;
-            let cubic = match self.curve(unit) {
-                Some(MoveCurve::Cubic(cubic)) if (from..to).any(pick) => Some(cubic),
-                _ => None,
-            };
-            if let Some(cubic) = cubic {
+            if (from..to).any(pick)
+                && let Some(MoveCurve::Cubic(cubic)) = self.curve(unit)
+            {
                 let offset = self.jobs[self.units[unit].job as usize].tool.offset();
                 // The first span of a spline goes on from nothing.
                 let inside = unit > 0 && {

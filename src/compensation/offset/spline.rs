@@ -204,7 +204,9 @@ pub(in crate::compensation) fn spline_bends(spline: &Spline, offset: f64) -> Vec
 /// Visits the stretches of a span between cusps of the offset and standstills of the spline, and
 /// tells their ranges of parameters and whether the tool fits there.
 fn each_stretch(cubic: &Cubic, offset: f64, visit: &mut dyn FnMut(&Source, f64, f64, bool)) {
-    for part in &cut_at_standstill(cubic) {
+    let whole = [Part { cubic: *cubic, from: 0.0, to: 1.0 }];
+    let parts = cut_at_standstill(cubic);
+    for part in if parts.is_empty() { &whole[..] } else { &parts } {
         let whole = Source::new(part.cubic, offset);
         let mut from = 0.0;
         for to in cusps(&part.cubic, offset).into_iter().chain([1.0]) {
@@ -230,13 +232,12 @@ impl Part {
 }
 
 /// Cuts a cubic where it stands still and turns back, as a spline through type points on one
-/// line does that double back; most cubics are left whole.
+/// line does that double back; no parts of those that do not, as most.
 fn cut_at_standstill(cubic: &Cubic) -> Vec<Part> {
-    let whole = || vec![Part { cubic: *cubic, from: 0.0, to: 1.0 }];
     let d = cubic.hodograph();
     let chord = cubic.end() - cubic.start();
     if d.iter().all(|v| v.dot(chord) > 0.0) {
-        return whole();
+        return Vec::new();
     }
     // |C'|² is least where C' · C'' = 0, a cubic in Bernstein form.
     let (e0, e1) = (d[1] - d[0], d[2] - d[1]);
@@ -255,10 +256,9 @@ fn cut_at_standstill(cubic: &Cubic) -> Vec<Part> {
             from = t;
         }
     }
-    if parts.is_empty() {
-        return whole();
+    if !parts.is_empty() {
+        parts.push(Part { cubic: cubic.part(from, 1.0), from, to: 1.0 });
     }
-    parts.push(Part { cubic: cubic.part(from, 1.0), from, to: 1.0 });
     parts
 }
 
