@@ -2,10 +2,10 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use g41::compensation::Options;
+use g41::compensation::{GougePolicy, Options};
 use g41::contour::ToolPath;
 use g41::motion::{Limits, Motion};
-use g41::program::{Dialect, Program, Rules, interpret};
+use g41::program::{Dialect, EmitOptions, Program, Rules, emit, interpret};
 use g41::simulation::{Tools, compensate_program, plan_path, tool_changes};
 
 fn path_of(text: &str) -> ToolPath {
@@ -14,7 +14,7 @@ fn path_of(text: &str) -> ToolPath {
 }
 
 fn motion_of(text: &str, limits: &Limits) -> Motion {
-    plan_path(&path_of(text), limits).expect("the limits are right")
+    plan_path(&path_of(text), limits).expect("the limits are right").motion().clone()
 }
 
 fn time_of(text: &str) -> f64 {
@@ -78,8 +78,32 @@ fn moves_that_words_make_take_their_time() {
     let text = "G21 G90\nG0 X0 Y0 Z10\nG38.2 Z0 F100\nG0 Z2\nX20\n";
     let (path, limits) = (path_of(text), Limits::default());
     let motion = plan_path(&path, &limits).expect("the limits are right");
-    let found = motion.violations(&path.moves, &limits);
+    let found = motion.violations(&path, &limits);
     assert!(found.velocity.ratio() <= 1.0, "nothing jumps: {:?}", found.velocity);
+}
+
+#[test]
+fn between_pieces_the_tool_goes_as_programs_are_written() {
+    // A room, a corridor that the tool is too wide for, and another room.
+    let text = "G21 G90\nG0 X10 Y10 Z5\nG1 Z-2 F120\nG41 Y0 F400\nX30\nY12\nX40\nY0\nX70\nY30\n\
+                X40\nY18\nX30\nY30\nX0\nY0\nX10\nG40 Y10\nG0 Z5\n";
+    let read = interpret(&Program::parse(text, Dialect::Auto), Rules::default());
+    let avoiding = Options { gouge: GougePolicy::Avoid, ..Options::default() };
+    let path = compensate_program(&read, &Tools::all(5.0), &avoiding);
+    let written = emit(&path, &EmitOptions::default()).text;
+    assert!(written.contains("G0 Z5\nX"), "there are two pieces:\n{written}");
+    let again = path_of(&written);
+    let limits = Limits { velocity: 200.0, acceleration: 2000.0, ..Limits::default() };
+    let planned = plan_path(&path, &limits).expect("the limits are right");
+    let rewritten = plan_path(&again, &limits).expect("the limits are right").motion().duration;
+    let took = planned.motion().duration;
+    assert!((took - rewritten).abs() < 1e-3 * took, "as written: {took} s, {rewritten} s");
+    let found = planned.violations(&path, &limits);
+    assert!(found.worst() < 1.0005, "on the way too: {found:?}");
+    let blocks = planned.blocks();
+    let most = path.moves.len() - 1;
+    assert_eq!(blocks.last().map(|block| *block as usize), Some(most), "the last move");
+    assert!(blocks.is_sorted(), "each way counts to the move that follows");
 }
 
 #[test]
@@ -112,7 +136,7 @@ fn programs_in_time_keep_to_their_limits() {
         let path = compensate_program(&read, &Tools::all(2.0), &Options::default());
         let limits = Limits::default();
         let motion = plan_path(&path, &limits).expect("the limits are right");
-        let found = motion.violations(&path.moves, &limits);
+        let found = motion.violations(&path, &limits);
         for (what, peak) in [
             ("velocity", found.velocity),
             ("acceleration", found.acceleration),

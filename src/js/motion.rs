@@ -11,16 +11,16 @@ use super::tool_path::ToolPathHandle;
 use crate::contour::{Contour, ToolPath};
 use crate::geometry::Curve;
 use crate::motion::{
-    AxisLimits, CornerCurve, CurvatureSteps, Limits, LimitsError, Mode, Motion, StepRule,
-    interpolate, lengths_at,
+    AxisLimits, CornerCurve, CurvatureSteps, Limits, LimitsError, Mode, StepRule, interpolate,
+    lengths_at,
 };
-use crate::simulation::{plan_path, tool_changes, widest_deviation};
+use crate::simulation::{PathMotion, plan_path, tool_changes};
 
 /// Motion in time; `Motion` of `types.d.ts` holds one.
 #[wasm_bindgen]
 #[derive(Debug)]
 pub struct MotionHandle {
-    motion: Motion,
+    planned: PathMotion,
     path: Rc<ToolPath>,
     limits: Limits,
 }
@@ -32,8 +32,8 @@ pub struct MotionHandle {
 #[wasm_bindgen(js_name = planMotion)]
 pub fn plan_motion(path: &ToolPathHandle, numbers: &[f64]) -> Result<MotionHandle, BadArgument> {
     let limits = limits_of(numbers);
-    let motion = plan_path(path.path(), &limits).map_err(bad)?;
-    Ok(MotionHandle { motion, path: path.shared(), limits })
+    let planned = plan_path(path.path(), &limits).map_err(bad)?;
+    Ok(MotionHandle { planned, path: path.shared(), limits })
 }
 
 /// A spline in more steps than these is a mistake in their unit.
@@ -94,19 +94,19 @@ impl MotionHandle {
     /// `duration` [s].
     #[must_use]
     pub fn duration(&self) -> f64 {
-        self.motion.duration
+        self.planned.motion().duration
     }
 
     /// The number of samples.
     #[must_use]
     pub fn count(&self) -> usize {
-        self.motion.len()
+        self.planned.motion().len()
     }
 
     /// One of the channels, in the order of `motion.js`.
     #[must_use]
     pub fn channel(&self, index: u32) -> Vec<f64> {
-        let motion = &self.motion;
+        let motion = self.planned.motion();
         match index {
             0 => &motion.time,
             1 => &motion.x,
@@ -123,15 +123,14 @@ impl MotionHandle {
     /// `violations` as JSON.
     #[must_use]
     pub fn violations(&self) -> String {
-        let limits =
-            Limits { corner_deviation: widest_deviation(&self.path, &self.limits), ..self.limits };
-        violations_json(&self.motion.violations(&self.path.moves, &limits), self.motion.duration)
+        let found = self.planned.violations(&self.path, &self.limits);
+        violations_json(&found, self.duration())
     }
 
     /// `block`.
     #[must_use]
     pub fn block(&self) -> Vec<u32> {
-        self.motion.block.clone()
+        self.planned.blocks()
     }
 }
 

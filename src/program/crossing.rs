@@ -1,18 +1,19 @@
 //! How the tool gets from one piece of a path to the next: up, across and down.
 //!
 //! Between two pieces lies what the tool must not touch, or they would be one. So it crosses at a
-//! height that is known to be free, and where none is known it does not cross at all.
+//! height that is known to be free, and where none is known no program is written for it.
 
 use glam::DVec3;
 
-use crate::contour::{Move, ToolPath};
+use crate::contour::{Move, MoveCurve, Plane, Role, ToolPath};
+use crate::geometry::Line;
 
 /// Heights nearer than this are one [mm]: the last digit written.
 const SAME_HEIGHT: f64 = 1e-4;
 
 /// What is known about crossing.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Crossing {
+pub(crate) struct Crossing {
     /// The height that the caller gave [mm].
     given: Option<f64>,
     /// The highest at which the program itself makes rapid moves, once it has said a height [mm].
@@ -22,7 +23,7 @@ pub(super) struct Crossing {
 }
 
 impl Crossing {
-    pub(super) fn new(given: Option<f64>, path: &ToolPath) -> Self {
+    pub(crate) fn new(given: Option<f64>, path: &ToolPath) -> Self {
         // Until the height first changes it is only assumed.
         let mut stated = false;
         let mut programmed: Option<f64> = None;
@@ -54,7 +55,7 @@ impl Crossing {
     ///
     /// One that was given is taken at its word, though never below both. A program whose rapid moves
     /// are no higher than its cuts says nothing about what lies between them.
-    pub(super) fn height(&self, from: f64, to: f64) -> Option<f64> {
+    pub(crate) fn height(&self, from: f64, to: f64) -> Option<f64> {
         let above = from.max(to);
         match self.given {
             Some(given) => Some(given.max(above)),
@@ -67,14 +68,32 @@ impl Crossing {
         self.given.map(|given| given.max(z))
     }
 
-    /// The feed at which the tool goes down where `next` begins [mm/s]: the program's own way down
-    /// goes slower into the material than along it.
-    pub(super) fn plunge(&self, next: &Move) -> Option<f64> {
-        self.plunge.or(next.feed)
+    /// The way from a place to where `next` begins: up to a height [mm] that is not below either,
+    /// across, and down, each of which may be no way at all; down at the feed at which the program
+    /// itself last went down, since it goes slower into the material than along it.
+    pub(crate) fn way(&self, from: DVec3, next: &Move, height: f64) -> [Move; 3] {
+        let to = ends(next)[0];
+        let (here, there) = (from.truncate(), to.truncate());
+        let up = Move {
+            curve: MoveCurve::Vertical(here),
+            role: Role::Free,
+            rapid: true,
+            feed: None,
+            plane: Plane::Xy,
+            heights: [from.z, height],
+            origin: next.origin,
+        };
+        let mut across = Move { heights: [height, height], ..up };
+        if let Ok(line) = Line::new(here, there) {
+            across.curve = MoveCurve::Line(line);
+        }
+        let feed = self.plunge.or(next.feed);
+        let (curve, heights) = (MoveCurve::Vertical(there), [height, to.z]);
+        [up, across, Move { curve, heights, rapid: next.rapid, feed, ..up }]
     }
 
     /// Learns from a move that is made.
-    pub(super) fn passed(&mut self, step: &Move) {
+    pub(crate) fn passed(&mut self, step: &Move) {
         let [from, to] = ends(step);
         if !step.rapid && to.z < from.z && (from.x, from.y) == (to.x, to.y) {
             self.plunge = step.feed.or(self.plunge);
@@ -83,7 +102,7 @@ impl Crossing {
 }
 
 /// Where a move starts and where it ends [mm].
-pub(super) fn ends(step: &Move) -> [DVec3; 2] {
+pub(crate) fn ends(step: &Move) -> [DVec3; 2] {
     let [start, end] = step.heights;
     [step.plane.place(step.curve.start(), start), step.plane.place(step.curve.end(), end)]
 }

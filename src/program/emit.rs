@@ -261,21 +261,26 @@ impl Emitter {
 
     /// Goes to the start of `next`: up to a height where the tool is, across, and down.
     fn go(&mut self, next: &Move, height: f64) {
-        let [x, y, z] = self.out.place(ends(next)[0]);
-        let below = self.out.units(self.at.z);
-        let height = self.out.units(height).max(below);
-        let [from_x, from_y, _] = self.out.at;
-        if height > below {
-            self.out.rapid([from_x, from_y, height], Plane::Xy);
-        }
+        let [up, across, down] = self.crossing.way(self.at, next, height.max(self.at.z));
+        self.upright(&up);
         self.out.forget_place();
-        self.out.rapid([x, y, height], Plane::Xy);
-        if next.rapid {
-            self.out.rapid([x, y, z], Plane::Xy);
-        } else if height > z {
-            self.set_feed(&Move { feed: self.crossing.plunge(next), ..*next });
-            self.out.line([x, y, z], Plane::Xy);
+        let to = self.out.place(ends(&across)[1]);
+        self.out.rapid(to, Plane::Xy);
+        self.upright(&down);
+    }
+
+    /// Goes up or down, if at all.
+    fn upright(&mut self, step: &Move) {
+        let [x, y, _] = self.out.at;
+        let [from, z] = step.heights.map(|height| self.out.units(height));
+        if from == z {
+            return;
         }
+        if step.rapid {
+            return self.out.rapid([x, y, z], Plane::Xy);
+        }
+        self.set_feed(step);
+        self.out.line([x, y, z], Plane::Xy);
     }
 
     fn is_away(&self, place: DVec3) -> bool {

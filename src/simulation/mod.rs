@@ -14,8 +14,8 @@ mod tools;
 mod walls;
 
 pub use judge::check_program;
-pub use passed_words::{tool_changes, widest_deviation};
-pub use planned::plan_path;
+pub use passed_words::tool_changes;
+pub use planned::{PathMotion, plan_path};
 pub use profile::Profile;
 pub use program_path::{ProgramCompensation, compensate_program};
 pub use tools::{ListedTool, ToolSize, Tools};

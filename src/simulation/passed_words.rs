@@ -45,8 +45,7 @@ pub fn tool_changes(path: &ToolPath) -> Vec<(usize, f64)> {
 }
 
 /// The widest deviation that corners are rounded within [mm]: that of the limits, or of a G64 P.
-#[must_use]
-pub fn widest_deviation(path: &ToolPath, limits: &Limits) -> f64 {
+pub(super) fn widest_deviation(path: &ToolPath, limits: &Limits) -> f64 {
     let mut widest = limits.corner_deviation;
     for words in &path.words {
         let mut command = 0.0;

@@ -2,10 +2,10 @@
 
 use glam::DVec3;
 
-use super::passed_words::for_words;
-use crate::contour::{AuxiliaryWords, Move, MoveCurve, Plane, Role, ToolPath};
-use crate::geometry::Line;
-use crate::motion::{Limits, LimitsError, MOST_SAMPLES, Motion, Planner};
+use super::passed_words::{for_words, widest_deviation};
+use crate::contour::{AuxiliaryWords, Move, ToolPath};
+use crate::motion::{Limits, LimitsError, MOST_SAMPLES, Motion, Planner, Violations};
+use crate::program::{Crossing, ends};
 
 /// Distance from which on two moves do not follow each other [mm]: what rounding does not reach.
 const GAP: f64 = 1e-6;
@@ -14,31 +14,35 @@ const GAP: f64 = 1e-6;
 /// at the end of each block, G61 keeps to the path exactly, G64 rounds corners again, with a P within
 /// that deviation.
 ///
-/// From one piece of a path to the next the tool goes straight, at the velocity of the limits; where
-/// words give the coordinates other numbers it stops, and goes on from where they say.
+/// From one piece of a path to the next the tool goes as a program is written: up to the height at which
+/// the path itself has rapid moves, across, and down at the feed of the program's own way down; where
+/// no such height is known, straight across. Where words give the coordinates other numbers it stops,
+/// and goes on from where they say.
 ///
 /// # Errors
 /// [`LimitsError`] where a limit is not a positive number within reason, or where the period is so
 /// short that there would be too many samples.
-pub fn plan_path(path: &ToolPath, limits: &Limits) -> Result<Motion, LimitsError> {
+pub fn plan_path(path: &ToolPath, limits: &Limits) -> Result<PathMotion, LimitsError> {
     let mut course = Course {
         planner: Planner::new(limits)?,
         limits: *limits,
         motion: Motion::default(),
-        moves: Vec::new(),
+        ways: Vec::new(),
+        planned: 0,
+        crossing: Crossing::new(None, path),
         at: None,
         least: 0.0,
     };
     let mut words = path.words.iter();
     let mut next = words.next();
-    for (index, one) in (0..).zip(&path.moves) {
+    for (index, one) in path.moves.iter().enumerate() {
         while let Some(these) = next
-            && these.before <= index as usize
+            && these.before <= index
         {
             course.obey(these);
             next = words.next();
         }
-        course.go(one, index)?;
+        course.go(one)?;
     }
     while let Some(these) = next {
         course.obey(these);
@@ -47,13 +51,62 @@ pub fn plan_path(path: &ToolPath, limits: &Limits) -> Result<Motion, LimitsError
     course.finish()
 }
 
+/// The motion along a tool path.
+#[derive(Debug, Clone, Default)]
+pub struct PathMotion {
+    /// The samples. Their `block` counts the ways between pieces of the path among its moves.
+    motion: Motion,
+    /// Those ways, each with its number in that count.
+    ways: Vec<(usize, Move)>,
+}
+
+impl PathMotion {
+    /// The samples; of their channels `block` is told by [`blocks`](Self::blocks).
+    #[must_use]
+    pub fn motion(&self) -> &Motion {
+        &self.motion
+    }
+
+    /// The index of the move of each sample; on the way between two pieces, of the one that follows.
+    #[must_use]
+    pub fn blocks(&self) -> Vec<u32> {
+        let of = |planned: &u32| {
+            let before = self.ways.partition_point(|(way, _)| *way < *planned as usize);
+            u32::try_from(before).map_or(0, |before| planned - before)
+        };
+        self.motion.block.iter().map(of).collect()
+    }
+
+    /// Judges the motion along a path and between its pieces, by its samples; within the widest
+    /// deviation that the limits or the path's words allow.
+    #[must_use]
+    pub fn violations(&self, path: &ToolPath, limits: &Limits) -> Violations {
+        let limits = Limits { corner_deviation: widest_deviation(path, limits), ..*limits };
+        if self.ways.is_empty() {
+            return self.motion.violations(&path.moves, &limits);
+        }
+        let mut moves = Vec::with_capacity(path.moves.len() + self.ways.len());
+        let mut ways = self.ways.iter().peekable();
+        for one in &path.moves {
+            while let Some((_, way)) = ways.next_if(|(number, _)| *number == moves.len()) {
+                moves.push(*way);
+            }
+            moves.push(*one);
+        }
+        self.motion.violations(&moves, &limits)
+    }
+}
+
 /// A path as it is planned.
 struct Course {
     planner: Planner,
     limits: Limits,
     motion: Motion,
-    /// The index of each move that the planner was given.
-    moves: Vec<u32>,
+    /// The ways between pieces, each with its number among what the planner was given.
+    ways: Vec<(usize, Move)>,
+    /// How much it was given.
+    planned: usize,
+    crossing: Crossing,
     /// Where the tool is.
     at: Option<DVec3>,
     /// The time that it takes at the least [s].
@@ -62,18 +115,25 @@ struct Course {
 
 impl Course {
     /// One move, and the way to it.
-    fn go(&mut self, one: &Move, index: u32) -> Result<(), LimitsError> {
-        let start = one.plane.place(one.curve.start(), one.heights[0]);
+    fn go(&mut self, one: &Move) -> Result<(), LimitsError> {
+        let [start, end] = ends(one);
         if let Some(at) = self.at
             && at.distance(start) > GAP
         {
-            self.push(&straight(at, start, one), index)?;
+            let height = self.crossing.height(at.z, start.z).unwrap_or(at.z.max(start.z));
+            for step in self.crossing.way(at, one, height) {
+                if ends(&step)[0] != ends(&step)[1] {
+                    self.ways.push((self.planned, step));
+                    self.push(&step)?;
+                }
+            }
         }
-        self.at = Some(one.plane.place(one.curve.end(), one.heights[1]));
-        self.push(one, index)
+        self.at = Some(end);
+        self.crossing.passed(one);
+        self.push(one)
     }
 
-    fn push(&mut self, one: &Move, index: u32) -> Result<(), LimitsError> {
+    fn push(&mut self, one: &Move) -> Result<(), LimitsError> {
         let length = one.curve.length().max((one.heights[1] - one.heights[0]).abs());
         let velocity = match one.feed {
             Some(feed) if !one.rapid => feed * self.limits.feed_override,
@@ -81,7 +141,7 @@ impl Course {
         };
         self.least += length / velocity.min(self.limits.velocity);
         self.check()?;
-        self.moves.push(index);
+        self.planned += 1;
         self.planner.push(one, &mut self.motion);
         Ok(())
     }
@@ -125,28 +185,9 @@ impl Course {
         }
     }
 
-    fn finish(mut self) -> Result<Motion, LimitsError> {
+    fn finish(mut self) -> Result<PathMotion, LimitsError> {
         self.planner.finish(&mut self.motion);
         self.check()?;
-        for block in &mut self.motion.block {
-            let index = (*block as usize).min(self.moves.len() - 1);
-            *block = self.moves[index];
-        }
-        Ok(self.motion)
-    }
-}
-
-/// The way between two pieces, as a move before `next`.
-fn straight(from: DVec3, to: DVec3, next: &Move) -> Move {
-    let flat = Line::new(from.truncate(), to.truncate());
-    let curve = flat.map_or(MoveCurve::Vertical(from.truncate()), MoveCurve::Line);
-    Move {
-        curve,
-        role: Role::Free,
-        rapid: true,
-        feed: None,
-        plane: Plane::Xy,
-        heights: [from.z, to.z],
-        origin: next.origin,
+        Ok(PathMotion { motion: self.motion, ways: self.ways })
     }
 }

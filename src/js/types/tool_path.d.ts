@@ -90,7 +90,8 @@ export class ToolPath {
   /**
    * Plans how a machine runs the path, from rest to rest: corners rounded within a deviation, feeds kept
    * where the limits allow it, dwells (G4) waited, G61, G61.1 and G64 with P obeyed. From one piece of the
-   * path to the next it goes straight, at the velocity of the limits.
+   * path to the next it goes as a program is written: up to the height of the path's rapid moves, across,
+   * and down at the feed of the program's own way down; straight where no such height is known.
    *
    * @throws {G41Error} `"bad-argument"` (also where the period makes more than 8 million samples)
    */
