@@ -37,6 +37,8 @@ pub struct RunOptions {
     pub rules: Rules,
     /// Most blocks to be run, each as often as it is.
     pub most_blocks: u64,
+    /// Most blocks in a row that make neither moves nor words: a loop that only counts.
+    pub most_idle: u64,
     /// Most text to be read, each line as often as it is [bytes].
     pub most_text: u64,
     /// Most moves and words to be made.
@@ -50,6 +52,7 @@ impl Default for RunOptions {
         Self {
             rules: Rules::default(),
             most_blocks: 20_000_000,
+            most_idle: 2_000_000,
             most_text: 1 << 30,
             most_items: 3_000_000,
             deepest: 100,
@@ -138,6 +141,8 @@ pub struct Runner {
     /// Whether blocks of the program were called, which may stand behind its end.
     pub(super) calls_blocks: bool,
     pub(super) blocks: u64,
+    /// How many moves and words there are, and after how many blocks that last changed.
+    busy: (usize, u64),
     text: u64,
     /// How far the text was read at least [bytes].
     farthest: usize,
@@ -172,6 +177,7 @@ impl Runner {
             numbered: None,
             calls_blocks: false,
             blocks: 0,
+            busy: (0, 0),
             text: 0,
             farthest: 0,
             last: None,
@@ -370,11 +376,17 @@ impl Runner {
     /// Whether the run may go on; else it ends here.
     fn within_bounds(&mut self) -> bool {
         let options = &self.options;
+        let items = self.interpreter.len();
+        if items != self.busy.0 {
+            self.busy = (items, self.blocks);
+        }
         let message = if self.blocks > options.most_blocks {
             "the program runs too many blocks"
+        } else if self.blocks - self.busy.1 > options.most_idle {
+            "the program runs too many blocks without a move"
         } else if self.text > options.most_text {
             "the program reads its lines too often"
-        } else if self.interpreter.len() > options.most_items {
+        } else if items > options.most_items {
             "the program makes too many moves"
         } else {
             return true;

@@ -52,6 +52,20 @@ fn loops_without_end_end() {
 }
 
 #[test]
+fn a_loop_that_moves_nothing_ends_sooner() {
+    let options = RunOptions { most_idle: 500, ..short() };
+    let message = |text: &str| {
+        let read = run(text, options);
+        let found = read.diagnostics.iter().find(|found| found.code == "run-too-long");
+        found.map_or(String::new(), |found| found.message.clone())
+    };
+    let endless = message("G0 X1\nN5 #1=#1+1\nIF [#1 GT 0] GOTO 5\nX2\nM30\n");
+    assert_eq!(endless, "the program runs too many blocks without a move", "it only counts");
+    let counts = "G91 G0 X1\n#1=0\no1 while [#1 LT 150]\n#1=[#1+1]\no1 endwhile\nX1\n";
+    assert_eq!(message(counts), "", "some calculation between moves");
+}
+
+#[test]
 fn a_long_line_is_not_read_without_end() {
     let text = format!("o1 while [1]\n({})\no1 endwhile\n", "long ".repeat(2_000));
     let read = run(&text, short());
