@@ -9,6 +9,9 @@ use super::parameters::{FAILED, LAST, LAST_OF_HAAS, LAST_OF_NGC, Target};
 /// Deepest nesting of brackets, functions and signs.
 const DEEPEST: u32 = 100;
 
+/// How many assignments of the same block are looked through for a value, the last ones.
+const MOST_SETTINGS: usize = 100;
+
 /// How far an index of RS274/NGC may be from the whole number that it means.
 const NEARLY_WHOLE: f64 = 1e-4;
 
@@ -30,6 +33,7 @@ pub(super) fn fault<T>((code, message): Impossible, at: usize) -> Result<T, Faul
 const NOT_FINITE: Impossible = ("no-number", "the result is no number");
 pub(super) const NO_NUMBER: Impossible = ("bad-expression", "a number is missing");
 pub(super) const NO_BRACKET: Impossible = ("bad-expression", "a closing bracket is missing");
+const NO_VALUE: Impossible = ("unset-parameter", "its assignment failed, so it has no value");
 const NO_PARAMETER: Impossible = ("bad-parameter", "there is no such parameter");
 
 impl LineReader<'_> {
@@ -251,6 +255,15 @@ impl LineReader<'_> {
     /// The value of a parameter.
     pub(super) fn parameter(&mut self, target: &Target, at: usize) -> Value {
         let unknown = ("unknown-parameter", "only the machine knows this parameter");
+        // A line without end is not searched without end.
+        let mut latest = self.settings.iter().rev().take(MOST_SETTINGS);
+        let latest = if self.parentheses() { latest.find(|s| s.target == *target) } else { None };
+        if let Some(setting) = latest {
+            let value = setting.value;
+            let hint = "it counts with its new value; use a block of its own to be sure";
+            self.warn("order-of-assignments", at, "its value is set in the same block", hint);
+            return if value == FAILED { fault(NO_VALUE, at) } else { Ok(value) };
+        }
         let value = match target {
             Target::Name(name) | Target::Whole(name) => match self.named(name) {
                 Some(value) => value,
@@ -268,7 +281,7 @@ impl LineReader<'_> {
             Target::Number(number) => self.parameters.number(*number),
         };
         if value == FAILED {
-            return fault(("unset-parameter", "its assignment failed, so it has no value"), at);
+            return fault(NO_VALUE, at);
         }
         if value.is_nan() && self.dialect != Dialect::Fanuc {
             self.warn(

@@ -79,6 +79,11 @@ impl Parameters {
         }
     }
 
+    /// Whether none has a name.
+    pub(super) fn is_nameless(&self) -> bool {
+        self.named.is_empty()
+    }
+
     fn index(&self, name: &str) -> Option<usize> {
         let level = self.level_of(name);
         self.named.iter().position(|named| named.level == level && named.name == name)

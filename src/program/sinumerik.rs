@@ -42,7 +42,8 @@ impl LineReader<'_> {
             _ => false,
         };
         if !is_name && !rest.get(1).is_some_and(|c| c.is_ascii_alphabetic() || *c == b'_') {
-            return false;
+            // A variable with the name of an address hides it.
+            return !self.parameters.is_nameless() && self.assigns_variable(from);
         }
         if self.cursor.eat(b'$') {
             let hint = "the rest of the block is left out; set it on the machine";

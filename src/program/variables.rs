@@ -1,7 +1,8 @@
 //! SINUMERIK's variables: R parameters, those that DEF and PROC give a name, fields of them.
 //!
 //! Siemens, SINUMERIK 840D sl / 828D, Programming Manual Job Planning 10/2015: user variables in
-//! section 1.1, arguments of subprograms in 1.24.
+//! section 1.1, arguments of subprograms in 1.24. That assignments of one block act from left to right
+//! is this package's reading, and told where it matters.
 
 use super::expression::{Fault, NO_BRACKET, NO_NUMBER, fault};
 use super::lexer::LineReader;
@@ -103,6 +104,10 @@ impl LineReader<'_> {
         self.cursor.peek();
         let from = self.cursor.at();
         let name = key(self.cursor.identifier());
+        if !name.as_bytes().get(2).is_some_and(|c| c.is_ascii_alphabetic() || *c == b'_') {
+            let hint = "with = it is the variable; controls ask for two letters";
+            self.warn("short-name", from, "the name of the variable is that of an address", hint);
+        }
         if self.cursor.eat(b'[') {
             self.cursor.until(']');
             self.cursor.eat(b']');

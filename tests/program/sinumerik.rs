@@ -352,3 +352,41 @@ fn drilling_cycles_are_expanded() {
         assert_eq!(codes(&program, Sinumerik), [code], "{cycle}");
     }
 }
+
+#[test]
+fn a_variable_with_the_name_of_an_address_hides_it() {
+    for (lines, expected) in [
+        ("DEF INT I\nI=I+1\nI=I+1\nG0 X=I Y0 Z0", "R 2 0 0"),
+        ("DEF REAL J=3, K\nK = J*2\nG0 X=K Y0 Z0", "R 6 0 0"),
+        ("DEF REAL X1\nX1=X1+7\nG0 X=X1 Y0 Z0", "R 7 0 0"),
+        ("DEF INT A[3]\nA[1]=4\nG0 X=A[1] Y0 Z0", "R 4 0 0"),
+        ("DEF INT I\nAGAIN:\nI=I+1\nIF I<5 GOTOB AGAIN\nG0 X=I Y0 Z0", "R 5 0 0"),
+        ("DEF INT I\nWHILE I<3\nI=I+1\nENDWHILE\nG0 X=I Y0 Z0", "R 3 0 0"),
+        // The variable that has another name hides nothing.
+        ("DEF INT NO\nNO=4\nG0 X=NO Y0 Z=1", "R 4 0 1"),
+    ] {
+        let read = read(&format!("{lines}\nM30\n"));
+        assert_eq!(steps(&read)[0], expected, "{lines}: {:?}", read.diagnostics);
+        let told = if lines.contains("NO") { None } else { Some("short-name") };
+        let codes: Vec<_> = read.diagnostics.iter().map(|d| d.code).collect();
+        let others = codes.iter().any(|code| Some(*code) != told);
+        assert!(!others && codes.is_empty() == told.is_none(), "{lines}: {codes:?}");
+    }
+}
+
+#[test]
+fn assignments_of_a_block_act_from_left_to_right_which_is_told() {
+    for (block, expected, told) in [
+        ("R1=5 R2=R1*2", 10.0, true),
+        ("R1=5 R1=R1+1 R2=R1", 6.0, true),
+        ("R3=5 R2=R1*2", 2.0, false),
+        ("R2=R1 R1=5", 1.0, false),
+    ] {
+        let text = format!("R1=1\n{block}\nG0 X=R2\nM30\n");
+        let read = read(&text);
+        assert_eq!(steps(&read)[0], format!("R {expected} 0 0"), "{block}");
+        let codes: Vec<_> = read.diagnostics.iter().map(|d| d.code).collect();
+        assert_eq!(codes.contains(&"order-of-assignments"), told, "{block}: {codes:?}");
+    }
+    assert_eq!(codes("R1=1 G0 X=R1\nM30\n", Sinumerik), ["order-of-assignments"], "a word too");
+}
