@@ -99,6 +99,9 @@ impl Interpreter {
         }
         let mut auxiliary = Auxiliary::new(block);
         let mut demands = self.g_words(block, &mut words, &mut auxiliary);
+        if demands.is_unknown() && self.pattern(block) {
+            return Flow::Next;
+        }
         self.spline_words(&mut words, &mut demands);
         self.corner_names(block, &mut words);
         self.course.passes_block(block);
@@ -165,12 +168,7 @@ impl Interpreter {
             return Flow::End;
         }
         self.drill(block, &mut words, moved);
-        let hint = if demands.no_move {
-            "it has no effect, and its block moves nothing"
-        } else {
-            "it has no effect"
-        };
-        self.not_understood(block, &words, hint);
+        self.not_understood(block, &words, demands.hint());
         if self.is_refused {
             return Flow::End;
         }

@@ -50,6 +50,7 @@ mod other_moves;
 mod outline;
 mod parameters;
 mod passed;
+mod patterns;
 mod pending_spline;
 mod programmed;
 mod reader;

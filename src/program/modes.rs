@@ -38,6 +38,25 @@ pub(super) struct Demands<'a> {
 /// motion.
 const TAKES_AXES: u32 = 1 << 31;
 
+/// And for one that was not understood.
+const UNKNOWN: u32 = 1 << 30;
+
+impl Demands<'_> {
+    /// Whether a G word was not understood.
+    pub(super) fn is_unknown(&self) -> bool {
+        self.groups & UNKNOWN != 0
+    }
+
+    /// What becomes of words that are not understood.
+    pub(super) fn hint(&self) -> &'static str {
+        if self.no_move {
+            "it has no effect, and its block moves nothing"
+        } else {
+            "it has no effect"
+        }
+    }
+}
+
 impl Interpreter {
     /// Sets the modes, and collects what else the G words ask for.
     pub(super) fn g_words<'a>(
@@ -47,7 +66,6 @@ impl Interpreter {
         auxiliary: &mut Auxiliary,
     ) -> Demands<'a> {
         let mut demands = Demands::default();
-        let mut unknown = false;
         for (index, word) in block.words.iter().enumerate() {
             if word.letter != 'G' {
                 continue;
@@ -59,18 +77,18 @@ impl Interpreter {
             let meaning = tenths(word)
                 .and_then(|number| Some((number, g_word(number, self.rules.is_strict)?)));
             let Some(meaning) = meaning else {
-                unknown = true;
+                demands.groups |= UNKNOWN;
                 continue;
             };
             words.use_up(index);
             self.g_word(block, word, meaning, words, auxiliary, &mut demands);
         }
-        if unknown && self.rules.is_strict {
+        if demands.is_unknown() && self.rules.is_strict {
             self.not_understood(block, words, "");
         }
         // Its axis words are not those of the motion that is in effect: a cycle's depth is no move there.
         let known = demands.once.or(demands.motion).is_some() || demands.family.is_some();
-        demands.no_move |= unknown && !known && demands.groups & TAKES_AXES == 0;
+        demands.no_move |= demands.is_unknown() && !known && demands.groups & TAKES_AXES == 0;
         let both = demands.groups & TAKES_AXES != 0 && demands.motion.is_some();
         if both && self.rules.is_strict {
             self.refuse("two words of the block use its axes", block.start());

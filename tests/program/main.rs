@@ -15,6 +15,7 @@ mod macros;
 mod meant;
 mod order;
 mod passed;
+mod patterns;
 mod planes;
 mod posts;
 mod refused;

@@ -9,8 +9,8 @@ use super::sample::{ERROR, WARNING, codes, found, read, read_as_fanuc, read_clea
 
 #[test]
 fn axes_beside_an_unknown_g_word_do_not_move() {
-    // A circular pocket of Haas (G13), whose Z is its depth, not a rapid move to it.
-    let pocket = read_as_fanuc("G0 X2 Y1 Z5\nG13 Z-3 I1 K2 Q1 D2 F10\nG1 X3\n");
+    // A pocket of Haas (G150), whose Z is its depth, not a rapid move to it.
+    let pocket = read_as_fanuc("G0 X2 Y1 Z5\nG150 Z-3 I1 K2 Q1 D2 F10\nG1 X3\n");
     let expected = [("word-not-understood", ERROR, 2, Some(1))];
     assert_eq!(found(&pocket), expected, "one for the block: {:?}", pocket.diagnostics);
     assert_eq!(steps(&pocket), ["R 2 1 5", "3 1 5"], "nothing goes to its depth");
