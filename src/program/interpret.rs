@@ -11,6 +11,7 @@ use super::dialect::Dialect;
 use super::g_words::Motion;
 use super::modal::Modal;
 use super::pending_spline::PendingSpline;
+use super::points::Points;
 use super::report::Report;
 use super::rules::Rules;
 use super::spline_blocks::Curves;
@@ -55,6 +56,7 @@ pub(super) struct Interpreter {
     pub(super) fault: Option<Diagnostic>,
     /// Axes that the next move has to state, whatever its block says.
     pub(super) owed: [bool; 3],
+    pub(super) points: Points,
     /// Moves that cycles and arcs of several turns have become.
     expanded: u32,
 }
@@ -74,6 +76,7 @@ impl Interpreter {
             made: usize::MAX,
             fault: None,
             owed: [false; 3],
+            points: Points::default(),
             expanded: 0,
         }
     }

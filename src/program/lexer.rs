@@ -292,7 +292,7 @@ impl LineReader<'_> {
                         self.address(letter, value, from);
                         return;
                     }
-                    Ok(value) => value,
+                    Ok(value) => self.pointed(letter, value, point, from),
                     Err(NumberError::Garbled) if signs && self.value_follows() => {
                         self.cursor.set(at);
                         return self.evaluated_word(letter, from);

@@ -52,6 +52,7 @@ mod parameters;
 mod passed;
 mod patterns;
 mod pending_spline;
+mod points;
 mod programmed;
 mod reader;
 mod report;

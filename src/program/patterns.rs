@@ -8,6 +8,7 @@
 
 use glam::DVec2;
 
+use super::auxiliary::word as text_of;
 use super::block::{Block, Word};
 use super::dialect::Dialect;
 use super::g_words::Motion;
@@ -41,7 +42,9 @@ impl Interpreter {
         let count = whole(times.unwrap_or(1.0)).filter(|count| (1..=MOST).contains(count));
         let free = self.course.switched().is_none() && !self.modal.absolute_center;
         let mut made = block.clone();
-        made.words.retain(|w| !matches!(w.letter, 'I' | 'J' | 'K' | 'L' | 'X' | 'Y') && w != word);
+        made.words.retain(|w| {
+            !matches!(w.letter, 'I' | 'J' | 'K' | 'L' | 'X' | 'Y') && w.column != word.column
+        });
         let made = count.filter(|_| free && self.modal.plane == Plane::Xy).and_then(|count| {
             if is_pocket {
                 self.pocket(block, word, made, [count, 0], first)
@@ -51,7 +54,8 @@ impl Interpreter {
         });
         if made.is_none() {
             let what = if is_pocket { "I, D and Z, K with Q" } else { "a cycle, I and L" };
-            let message = format!("G{} is not possible here: it needs {what}", word.value);
+            let message =
+                format!("{} is not possible here: it needs {what}", text_of('G', word.value));
             let hint = "nothing is cut; it needs G17, and G40 before";
             self.error("bad-pattern", message, block.origin_at(word.column), hint);
         }

@@ -212,7 +212,7 @@ fn sinumerik_has_a_feed_for_corners() {
 #[test]
 fn times_of_moves_go_down_with_their_lengths() {
     // 10 mm in 6 s each: what is left of both goes on at that speed, and so does the chamfer.
-    let read = clean("G0 X0 Y0.5\nG93 G1 X10 F10 ,C4\nY10.5 F10\n", Dialect::Fanuc);
+    let read = clean("G0 X0 Y0.5\nG93 G1 X10. F10 ,C4\nY10.5 F10\n", Dialect::Fanuc);
     for step in &moves(&read)[1..] {
         near(step.feed.unwrap_or(0.0), 10.0 / 6.0, 1e-9, "feed");
     }
@@ -306,7 +306,7 @@ fn a_corner_that_cannot_be_stays_and_is_told_with_its_place() {
         );
         assert_eq!(read.diagnostics.len(), 1, "{text}{:?}", read.diagnostics);
     }
-    let scaled = codes("G0 X5 Y5\nG51 X0 Y0 I2. J3.\nG1 X20 F100 ,C2\nY20\n", Dialect::Fanuc);
+    let scaled = codes("G0 X5. Y5.\nG51 X0 Y0 I2. J3.\nG1 X20. F100 ,C2\nY20.\n", Dialect::Fanuc);
     assert_eq!(scaled, ["corner-left"], "unevenly scaled it is another curve");
     assert!(
         codes("G1 X20 F100 ,R2\nY20\n", Dialect::LinuxCnc).contains(&"unexpected-character"),
@@ -363,7 +363,7 @@ fn roundings_that_take_all_of_a_side_make_a_half_circle() {
 
 #[test]
 fn corners_are_cut_in_every_plane_turned_mirrored_and_in_inches() {
-    let read = clean("G18 G0 X0 Z0.5\nG1 Z10 F100 ,R2\nX10\n", Dialect::Fanuc);
+    let read = clean("G18 G0 X0 Z0.5\nG1 Z10. F100 ,R2\nX10.\n", Dialect::Fanuc);
     let made = moves(&read);
     let MoveCurve::Arc(arc) = made[2].curve else { panic!("{made:?}") };
     near_point(arc.center(), p(8.0, 2.0), 1e-9, "z, x");
@@ -373,7 +373,8 @@ fn corners_are_cut_in_every_plane_turned_mirrored_and_in_inches() {
     let read = clean("G0 X1 Y1\nG68 X0 Y0 R90\nG1 X20 Y0 F10 ,R5\nY20\nG69\n", Dialect::Fanuc);
     let MoveCurve::Arc(arc) = moves(&read)[2].curve else { panic!("{read:?}") };
     near(arc.radius(), 5.0, 1e-9, "turned");
-    let read = clean("G0 X1 Y1\nG51 X0 Y0 I2. J2.\nG1 X20 Y1 F10 ,R5\nY20\nG50\n", Dialect::Fanuc);
+    let read =
+        clean("G0 X1. Y1.\nG51 X0 Y0 I2. J2.\nG1 X20. Y1. F10 ,R5\nY20.\nG50\n", Dialect::Fanuc);
     let MoveCurve::Arc(arc) = moves(&read)[2].curve else { panic!("{read:?}") };
     near(arc.radius(), 10.0, 1e-9, "scaled");
     let read = clean("G0 X1 Y1\nG51.1 X0\nG1 X20 Y1 F10 ,R5\nY20\nG50.1 X0\n", Dialect::Fanuc);

@@ -10,7 +10,7 @@ use super::sample::{codes, ends, read, xs};
 /// The number that an expression has as that of an X word.
 fn value(expression: &str, dialect: Dialect) -> f64 {
     // A move of no length would be left out.
-    ends(&format!("G0 X-123456 Y0\nX{expression}\n"), dialect)[1][0]
+    ends(&format!("G0 X-123456. Y0\nX{expression}\n"), dialect)[1][0]
 }
 
 #[test]

@@ -186,14 +186,15 @@ fn a_frame_that_changes_in_a_contour_ends_it() {
 
 #[test]
 fn fanuc_adds_the_wear_of_a_tool_to_its_radius_and_under_g91_to_what_is_there() {
-    let text = |words: &str| format!("{words}\nG90 G0 X0 Y-9\nG41 D3 G1 X0 Y0 F100\nX9\nG40 Y-9\n");
+    let text =
+        |words: &str| format!("{words}\nG90 G0 X0 Y-9.\nG41 D3 G1 X0 Y0 F100\nX9.\nG40 Y-9.\n");
     let cases = [
-        ("G10 L12 P3 R4\nG10 L13 P3 R.5", 4.5),
-        ("G10 L13 P3 R-.5\nG10 L12 P3 R4", 3.5),
-        ("G10 L12 P3 R4\nG10 L13 P2 R.5", 4.0),
-        ("G10 L12 P3 R4\nG91 G10 L12 P3 R-1", 3.0),
-        ("G10 L12 P3 R4\nG10 L13 P3 R.5\nG91 G10 L13 P3 R.25", 4.75),
-        ("G10 L12 P3 R4\nG10 L13 P3 R.5\nG10 L13 P3 R0", 4.0),
+        ("G10 L12 P3 R4.\nG10 L13 P3 R.5", 4.5),
+        ("G10 L13 P3 R-.5\nG10 L12 P3 R4.", 3.5),
+        ("G10 L12 P3 R4.\nG10 L13 P2 R.5", 4.0),
+        ("G10 L12 P3 R4.\nG91 G10 L12 P3 R-1.", 3.0),
+        ("G10 L12 P3 R4.\nG10 L13 P3 R.5\nG91 G10 L13 P3 R.25", 4.75),
+        ("G10 L12 P3 R4.\nG10 L13 P3 R.5\nG10 L13 P3 R0", 4.0),
     ];
     for (words, radius) in cases {
         let read = read_as_fanuc(&text(words));
@@ -205,7 +206,7 @@ fn fanuc_adds_the_wear_of_a_tool_to_its_radius_and_under_g91_to_what_is_there() 
     let refused = [
         ("G10 L13 P3 R.5", "missing-radius", "only the machine knows the radius"),
         ("G91 G10 L12 P3 R.5", "not-supported", "only the machine knows the radius that is there"),
-        ("G91 G10 L2 P1 X5", "not-supported", "only the machine knows the origin that is there"),
+        ("G91 G10 L2 P1 X5.", "not-supported", "only the machine knows the origin that is there"),
     ];
     for (words, code, why) in refused {
         assert_eq!(codes(&text(words), Dialect::Fanuc), [code], "{words}: {why}");

@@ -19,7 +19,8 @@ use crate::common::{near, near_point, p};
 const FROM: [f64; 2] = [11.173, 0.407];
 const TO: [f64; 2] = [13.818, 3.012];
 
-const TEXT: &str = "G0 X11.173 Y0.407 Z5\nG1 Z-1 F600\nG3.2 X13.818 Y3.012 I-11.173 J-0.407 R10\n";
+const TEXT: &str =
+    "G0 X11.173 Y0.407 Z5.\nG1 Z-1. F600\nG3.2 X13.818 Y3.012 I-11.173 J-0.407 R10.\n";
 
 fn involutes(read: &Interpretation) -> Vec<Involute> {
     let curves = moves(read).into_iter().map(|one| one.curve);
@@ -126,18 +127,18 @@ fn what_the_control_gives_alarms_for_is_told() {
     let start = "G0 X11.173 Y0.407\n";
     for (block, code) in [
         // End, centre or radius are missing: alarm 241.
-        ("G3.2 I-11.173 J-0.407 R10 F600", "involute-incomplete"),
-        ("G3.2 X13.818 Y3.012 R10 F600", "involute-incomplete"),
+        ("G3.2 I-11.173 J-0.407 R10. F600", "involute-incomplete"),
+        ("G3.2 X13.818 Y3.012 R10. F600", "involute-incomplete"),
         ("G3.2 X13.818 Y3.012 I-11.173 J-0.407 F600", "involute-incomplete"),
         // No circle, or an end inside of it, or beyond a hundred turns: alarm 242.
         ("G3.2 X13.818 Y3.012 I-11.173 J-0.407 R0 F600", "no-base-circle"),
-        ("G3.2 X13.818 Y3.012 I-11.173 J-0.407 R-10 F600", "no-base-circle"),
-        ("G3.2 X13.818 Y3.012 I0 J0 R10 F600", "inside-base-circle"),
+        ("G3.2 X13.818 Y3.012 I-11.173 J-0.407 R-10. F600", "no-base-circle"),
+        ("G3.2 X13.818 Y3.012 I0 J0 R10. F600", "inside-base-circle"),
         ("G3.2 X13.818 Y3.012 I-11.173 J-0.407 R11.3 F600", "inside-base-circle"),
-        ("G3.2 X9 Y3.012 I-11.173 J-0.407 R10 F600", "inside-base-circle"),
-        ("G3.2 X7000 Y0 I-11.173 J-0.407 R10 F600", "no-base-circle"),
+        ("G3.2 X9. Y3.012 I-11.173 J-0.407 R10. F600", "inside-base-circle"),
+        ("G3.2 X7000. Y0 I-11.173 J-0.407 R10. F600", "no-base-circle"),
         // The end is not on the curve: alarm 243.
-        ("G3.2 X13.818 Y3.112 I-11.173 J-0.407 R10 F600", "off-involute"),
+        ("G3.2 X13.818 Y3.112 I-11.173 J-0.407 R10. F600", "off-involute"),
         ("G3.2 X13.818 Y3.012 I-11.173 J-0.407 R9.5 F600", "off-involute"),
     ] {
         let text = format!("{start}{block}\n");
@@ -148,7 +149,7 @@ fn what_the_control_gives_alarms_for_is_told() {
         assert!(last.is_none_or(|one| !matches!(one.curve, MoveCurve::Involute(_))), "{block}");
     }
     // What rounding to two decimals makes is let pass.
-    let rounded = read_clean("G0 X11.17 Y0.41\nG3.2 X13.82 Y3.01 I-11.17 J-0.41 R10 F600\n");
+    let rounded = read_clean("G0 X11.17 Y0.41\nG3.2 X13.82 Y3.01 I-11.17 J-0.41 R10. F600\n");
     assert_eq!(involutes(&rounded).len(), 1, "{:?}", rounded.items);
 }
 

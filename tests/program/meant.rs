@@ -126,7 +126,7 @@ fn a_move_along_z_alone_is_vertical() {
 #[test]
 fn words_that_move_nothing_stay_in_their_place() {
     let read = read_clean(
-        "%\nO1234 (LID)\nT2 M6\nS12000 M3\nG4 X1.5\nG54\nG0 X1 M8 (first)\nX2 M0\n; end\nM30\n%\n",
+        "%\nO1234 (LID)\nT2 M6\nS12000 M3\nG4 X1.5\nG54\nG0 X1. M8 (first)\nX2. M0\n; end\nM30\n%\n",
     );
     let seen: Vec<String> = read
         .items

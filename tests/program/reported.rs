@@ -5,7 +5,10 @@ use wasm_bindgen_test::wasm_bindgen_test as test;
 use g41::diagnostic::Origin;
 use g41::program::{Dialect, Interpretation, Program, Rules, interpret};
 
-use super::sample::{ERROR, INFO, WARNING, contours, found, moves, near, read, read_clean, words};
+use super::sample::{
+    ERROR, INFO, WARNING, codes, contours, found, moves, near, read, read_as_fanuc, read_clean,
+    words,
+};
 
 #[test]
 fn every_fault_is_reported_with_its_line_and_column() {
@@ -190,4 +193,29 @@ fn coordinates_out_of_range_do_not_move() {
 fn incremental_moves_from_an_unknown_place_are_reported_once() {
     let read = read("G91 G1 X5 F100\nX5 Y5\n");
     assert_eq!(found(&read), [("unknown-start", WARNING, 1, Some(8))], "once");
+}
+
+#[test]
+fn lengths_without_a_point_are_told_once_where_fanuc_may_count_thousandths() {
+    for (text, line) in [
+        // Among others with one.
+        ("G0 X10.5 Y2.\nX3\nX4\n", Some(2)),
+        ("G0 X3 Y0\nX10.5\n", Some(1)),
+        // Too far for whole units.
+        ("G0 X50 Y0\nX20000\nY10000\n", Some(1)),
+        ("G0 X50 Y0\nG2 X60 R5 F100\n", None),
+        ("G0 X10.5 Y0\nG4 X2\nM98 P2000\nG65 P2000 X3\nM30\nO2000\nM99\n", None),
+        ("#1=3\nG0 X1.5\nX#1\nX[3+1]\n", None),
+    ] {
+        let read = read_as_fanuc(text);
+        let told = read.diagnostics.iter().filter(|d| d.code == "no-point");
+        let lines: Vec<_> = told.map(|d| d.origin.map(line_of)).collect();
+        let expected: Vec<_> = line.map(Some).into_iter().collect();
+        assert_eq!(lines, expected, "{text}: {:?}", read.diagnostics);
+    }
+    assert!(codes("G0 X10.5 Y2.\nX3\n", Dialect::Auto).is_empty(), "elsewhere it is a number");
+}
+
+fn line_of(origin: Origin) -> u32 {
+    if let Origin::Block { line, .. } = origin { line } else { 0 }
 }
