@@ -150,3 +150,20 @@ test("as the tool runs in space, its place covers no view, and nothing else", as
   }
   expect(g41.errors, "errors of the page").toEqual([]);
 });
+
+test("a hundred diagnostics make the page no longer than a few screens", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const lines = Array.from({ length: 120 }, (_, i) => `G1 X${i} Y${i % 2} Q${i} Q1`);
+  await g41.drop({ name: "wrong.nc", text: `G21 G90\n${lines.join("\n")}\nM30\n` });
+  const rows = page.locator(".diagnostic");
+  await expect.poll(() => rows.count(), "rows of the list").toBeGreaterThanOrEqual(100);
+  const [height, screen] = await page.evaluate(() => [
+    document.documentElement.scrollHeight,
+    innerHeight,
+  ]);
+  expect(height, "the page is a few screens long [px]").toBeLessThan(4 * (screen ?? 0));
+  // The last of them is reached all the same.
+  await rows.last().scrollIntoViewIfNeeded();
+  await expect(rows.last()).toBeInViewport();
+});
