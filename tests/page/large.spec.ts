@@ -185,6 +185,43 @@ test("what is opened while it is read stays, and it is given up", async ({ page 
   expect(g41.errors).toEqual([]);
 });
 
+test("a program of half a megabyte shows how far it is read, and is cancelled", async ({
+  page,
+}) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  const before = await g41.program.inputValue();
+  const text = program(30_000);
+  expect(text.length, "one that is shown with its moves").toBeLessThan(1_500_000);
+  const work = page.locator("#work");
+  // At once, as no hand could before it has been read.
+  await work.evaluate((panel) => {
+    const cancel = panel.querySelector("button") as HTMLButtonElement;
+    new MutationObserver((_, observer) => {
+      if (panel.matches("[hidden]")) return;
+      observer.disconnect();
+      cancel.click();
+    }).observe(panel, { attributes: true, attributeFilter: ["hidden"] });
+  });
+  await (await dropper(page, text))();
+  await expect(page.locator(".notice")).toHaveText("relief.nc: cancelled.");
+  await expect(work).toBeHidden();
+  await expect(g41.program, "what was shown stays").toHaveValue(before);
+  // And read to its end it is there.
+  const list = page.getByRole("listbox", { name: "Program of the part" });
+  for (const _ of ["once", "and again as it is"]) {
+    await (await dropper(page, text))();
+    await expect(page.locator(".file-name")).toHaveText("relief.nc", { timeout: 20_000 });
+    await expect(work).toBeHidden();
+    await expect(list.getByRole("option").first(), "its first line").toHaveText(/%/);
+  }
+  await g41.settled();
+  // Opened twice, undone twice.
+  for (let i = 0; i < 2; i += 1) await page.getByRole("button", { name: "Undo" }).click();
+  await expect(page.locator(".file-name")).not.toHaveText("relief.nc");
+  expect(g41.errors).toEqual([]);
+});
+
 test("a panel that cannot show it is closed", async ({ page }) => {
   test.setTimeout(120_000);
   const g41 = new G41Page(page);

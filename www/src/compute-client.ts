@@ -9,6 +9,8 @@ export interface Question {
   readonly text: string;
   readonly file: File | undefined;
   readonly settings: Settings;
+  /** Whether it is of a file that is being opened. */
+  readonly isOpening?: boolean;
 }
 
 /** What is told of an answer, and on the way to it. */
@@ -48,7 +50,8 @@ export class ComputeClient {
     this.#waiting = question;
     // A loop without end that is being typed must not hold up the text that ends it. Of a file the work
     // shows how far it is, and a button to stop it.
-    const isStuck = performance.now() - this.#since > PATIENCE && !this.#underWay?.file;
+    const isShown = this.#underWay?.file !== undefined || this.#underWay?.isOpening;
+    const isStuck = performance.now() - this.#since > PATIENCE && !isShown;
     if (this.#underWay && isStuck) this.#stop();
     if (this.#underWay) return;
     this.#tell.busy(true);

@@ -21,18 +21,18 @@ import {
 } from "./large/strokes";
 import { decoded, longText } from "./long-text";
 import { compensationOptions, parseOptions, radiusOfTool, type Settings } from "./parameters";
-import { type Lines, lineOf, type Reply, type Request, type Result } from "./result";
+import { type Lines, LONG, lineOf, type Reply, type Request, type Result } from "./result";
 import { spaceOf } from "./space/strokes";
 import { boxOf } from "./view";
 
 /** How far the polylines on the screen may be from their curves [mm]. */
 const DRAWING_TOLERANCE = 0.002;
-/** Blocks of one slice of a very long program. */
+/** Blocks of one slice of a long program. */
 const SLICE = 20_000;
 /** Diagnostics of a very long program that are listed. */
 const MOST_DIAGNOSTICS = 2000;
 
-/** What is done with a very long program, and about which part of the time it takes. */
+/** What is done with a long program, and about which part of the time it takes. */
 const STEPS = [
   ["Reading", 35],
   ["Compensating", 30],
@@ -73,12 +73,19 @@ async function answer(request: Request): Promise<Reply> {
 function compute({ id, text, settings }: Request): Reply {
   const began = performance.now();
   release();
-  const program = parseProgram(text, parseOptions(settings));
-  const path = compensate(program, compensationOptions(settings));
+  const tell = text.length > LONG ? teller(id) : undefined;
+  const program = tell
+    ? readInSlices(text, settings, tell)
+    : parseProgram(text, parseOptions(settings));
+  const path = tell
+    ? compensated(program, settings, tell)
+    : compensate(program, compensationOptions(settings));
   try {
+    tell?.(2, 0);
     const { target, tolerance } = settings;
     const written = path.emit({ target, tolerance });
     const diagnostics = gravestFirst([...path.diagnostics, ...written.diagnostics]);
+    tell?.(3, 0);
     const moves = movesOf(path);
     const { axes, rapids } = moves;
     const outlines = program.polylines(DRAWING_TOLERANCE);
@@ -201,11 +208,15 @@ function read(text: string, name: string, settings: Settings, tell: Tell): Progr
   const key = JSON.stringify([name, parseOptions(settings)]);
   if (held?.key === key) return held.program;
   release();
-  const reader = new ProgramReader(text, parseOptions(settings));
-  while (reader.step(SLICE)) tell(0, reader.progress);
-  const program = reader.finish();
+  const program = readInSlices(text, settings, tell);
   held = { key, program };
   return program;
+}
+
+function readInSlices(text: string, settings: Settings, tell: Tell): Program {
+  const reader = new ProgramReader(text, parseOptions(settings));
+  while (reader.step(SLICE)) tell(0, reader.progress);
+  return reader.finish();
 }
 
 function release(): void {

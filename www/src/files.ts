@@ -3,8 +3,9 @@
 import { readToolTable, type Target } from "g41";
 import { openText, setSettings } from "./actions";
 import type { ComputeClient } from "./compute-client";
+import { counted } from "./counts";
 import { decoded } from "./long-text";
-import { VERY_LONG } from "./result";
+import { isResultOf, LONG, type Result, VERY_LONG } from "./result";
 import type { Stage } from "./stage";
 import { type Document, NO_PART, type Store } from "./state";
 
@@ -61,9 +62,9 @@ export class Files {
   }
 
   /** Takes the document of a result that was waited for. */
-  take(file: File | undefined): void {
-    if (!file || this.#pending?.file !== file) return;
+  take(result: Result): void {
     const pending = this.#pending;
+    if (!pending || !isResultOf(result, pending)) return;
     this.#pending = undefined;
     this.#stage.fitNext();
     openText(this.#store, pending);
@@ -104,9 +105,7 @@ export class Files {
     const { settings } = this.#store.document;
     const empty = { name, text: "", file: undefined, part: NO_PART, partText: "", settings };
     if (size > VERY_LONG) {
-      this.#store.set({ work: { name, step: "Reading", part: 0 } });
-      this.#pending = { ...empty, file };
-      this.#client.ask(this.#pending);
+      this.#waitFor({ ...empty, file });
       return;
     }
     const bytes = await file.arrayBuffer().catch(() => undefined);
@@ -115,8 +114,21 @@ export class Files {
       this.#say(`${name} ${bytes ? "is not a text" : "could not be read"}.`);
       return;
     }
+    const document = { ...empty, text: found.text };
+    // What is shown already needs no other answer, and gets none.
+    if (size > LONG && found.text !== this.#store.document.text) {
+      this.#waitFor(document);
+      return;
+    }
     this.#stage.fitNext();
-    openText(this.#store, { ...empty, text: found.text });
+    openText(this.#store, document);
+  }
+
+  /** Asks for what takes long, and shows how far that is. */
+  #waitFor(document: Document): void {
+    this.#store.set({ work: { name: document.name, step: "Reading", part: 0 } });
+    this.#pending = document;
+    this.#client.ask({ ...document, isOpening: true });
   }
 
   async #openTable(file: File): Promise<void> {
@@ -131,7 +143,7 @@ export class Files {
     if (count > 0) setSettings(this.#store, { tools });
     const line = first?.origin && "block" in first.origin ? first.origin.block : 0;
     const wrong = first ? ` Line ${line}: ${first.message}.` : "";
-    this.#say(`${file.name}: ${count} tool${count === 1 ? "" : "s"} read.${wrong}`);
+    this.#say(`${file.name}: ${counted(count, "tool")} read.${wrong}`);
   }
 
   #say(notice: string): void {

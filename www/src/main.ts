@@ -79,7 +79,7 @@ const stage = new Stage(find("stage"), store, drawing, readout(find("readout"), 
 
 /** Takes what the worker found, and derives what the page needs of it. */
 function take(result: Result, strokes: readonly Strokes[]): void {
-  files.take(result.long?.file);
+  files.take(result);
   // A very long program is shown as a whole or not at all.
   if (result.long?.file !== store.document.file) return;
   if (result.long) {
@@ -128,8 +128,9 @@ const client = new ComputeClient({
   },
   busy: (busy) => find("stage").setAttribute("aria-busy", String(busy)),
   progress: (step, part) => {
-    const name = files.opening ?? store.document.name;
-    store.set({ work: { name, step, part } });
+    const { name, file } = store.document;
+    // Who types or drags is not to have it in front of the picture.
+    if (files.opening || file) store.set({ work: { name: files.opening ?? name, step, part } });
   },
 });
 const files = new Files(store, client, stage);

@@ -20,6 +20,9 @@ export interface Lines {
 /** Letters from which on a program is very long: it is not edited, and drawn by what a view can tell. */
 export const VERY_LONG = 1_500_000;
 
+/** Letters from which on it takes long enough to be told how far it is. */
+export const LONG = 200_000;
+
 /** One request to the worker. */
 export interface Request {
   readonly id: number;
