@@ -171,20 +171,59 @@ test("a pocket is cleared in passes where gouges are avoided", async ({ page }) 
   expect(g41.errors).toEqual([]);
 });
 
-test("a program with thousands of gouges is shown before anyone gives it up", async ({ page }) => {
-  const g41 = new G41Page(page);
-  await g41.open();
-  // Waves, row by row, in whose hollows the tool does not fit; one for every few lines.
+/** Waves, row by row, in whose hollows the tool does not fit: a gouge for every few lines. */
+function waves(count: number): string {
   const lines = ["G21 G90 G17", "G0 X-20 Y-20", "G41 D1 G1 X0 Y0 F600"];
-  for (let i = 0; i < 40_000; i += 1) {
+  for (let i = 0; i < count; i += 1) {
     const [row, place] = [Math.floor(i / 300), i % 300];
     const x = row % 2 === 0 ? place / 2 : 150 - place / 2;
     const y = 12 * row + 2 * Math.sin(place / 10) + 0.5 * Math.sin(place / 3 + row);
     lines.push(`G1 X${x.toFixed(3)} Y${y.toFixed(4)}`);
   }
-  await g41.drop({ name: "waves.nc", text: [...lines, "G40 X-20 Y-40", "M30", ""].join("\n") });
+  return [...lines, "G40 X-20 Y-40", "M30", ""].join("\n");
+}
+
+test("a program with thousands of gouges is shown before anyone gives it up", async ({ page }) => {
+  // What a frame strokes and closes; closing measures the whole path each time.
+  await page.addInitScript(() => {
+    const drawn = { strokes: 0, closed: 0 };
+    Object.assign(window, { drawn });
+    const { stroke } = CanvasRenderingContext2D.prototype;
+    CanvasRenderingContext2D.prototype.stroke = function (
+      this: CanvasRenderingContext2D,
+      ...all: unknown[]
+    ) {
+      drawn.strokes += 1;
+      return Reflect.apply(stroke, this, all);
+    } as typeof stroke;
+    const { closePath } = Path2D.prototype;
+    Path2D.prototype.closePath = function (this: Path2D) {
+      drawn.closed += 1;
+      return closePath.call(this);
+    };
+  });
+  const g41 = new G41Page(page);
+  await g41.open();
+  await g41.drop({ name: "waves.nc", text: waves(40_000) });
   const summary = page.locator("#diagnostics .summary");
   await expect(summary).toContainText(/\d,\d{3} gouges/, { timeout: 20_000 });
+  const all = (await summary.textContent())?.match(/([\d,]+) gouges/)?.[1] ?? "";
+  await expect(page.locator("#legend .swatch-gouge small"), "grouped alike").toHaveText(all);
+  await expect(page.locator("#description"), "and told alike").toContainText(
+    /\d,\d{3} diagnostics/,
+  );
+  for (const name of ["Zoom out", "Zoom in"]) {
+    const button = page.getByRole("button", { name });
+    const drawn = await button.evaluate(async (element) => {
+      const { drawn } = window as unknown as { drawn: { strokes: number; closed: number } };
+      Object.assign(drawn, { strokes: 0, closed: 0 });
+      (element as HTMLElement).click();
+      for (let i = 0; i < 2; i += 1) await new Promise((next) => requestAnimationFrame(next));
+      return { ...drawn };
+    });
+    expect(drawn.strokes, `strokes of a frame, ${name}`).toBeLessThan(8000);
+    expect(drawn.closed, `paths closed in a frame, ${name}`).toBeLessThan(10);
+  }
   await page.locator(".diagnostic button").first().click();
   await expect(page.locator(".diagnostic button").first()).toHaveAttribute("aria-pressed", "true");
   expect(g41.errors, "errors of the page").toEqual([]);

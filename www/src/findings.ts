@@ -105,6 +105,7 @@ function gougePlace(
   const lines = linesOf(segments);
   const radius = Math.abs(radiusOn(result, contourAt(result, lines[0])));
   const where = linesInWords(lines);
+  let center: Point | undefined;
   const reason =
     kind === "curvature"
       ? `the tool (radius ${format(radius)} mm) is too large for the bend or corner at ${where}`
@@ -118,7 +119,11 @@ function gougePlace(
     at,
     depth,
     radius,
-    center: deepest(result.path, starts, at, { away: radius - depth, radius }),
+    // Looked for only where it is drawn: of thousands few are in sight.
+    get center() {
+      center ??= deepest(result.path, starts, at, { away: radius - depth, radius });
+      return center;
+    },
   };
 }
 

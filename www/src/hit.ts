@@ -1,7 +1,7 @@
 // What lies under the pointer: segments of contours, places on the tool path, corners.
 
 import { type Track, trackOf } from "./draw/track";
-import { isFollowed, transitionPlace } from "./draw/transition";
+import { followedTransitions, transitionPlace } from "./draw/transition";
 import { distance, type Point } from "./geometry";
 import type { Part } from "./part";
 import type { Lines, Result } from "./result";
@@ -91,10 +91,8 @@ export function nearestCorner(result: Result, p: Point, within: number): number 
 /** The transition that is most worth showing first: an inserted one, else an elongated one. */
 export function showpiece(result: Result): number | undefined {
   for (const kind of ["inserted", "elongated", "shortened"]) {
-    const index = result.transitions.findIndex(
-      (transition) => transition.kind === kind && isFollowed(transition, result),
-    );
-    if (index >= 0) return index;
+    const found = followedTransitions(result).find(({ transition }) => transition.kind === kind);
+    if (found) return result.transitions.indexOf(found.transition);
   }
   return undefined;
 }

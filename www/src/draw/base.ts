@@ -11,7 +11,12 @@ import { drawAxisNames, drawGrid, drawScale } from "./grid";
 import type { Palette } from "./palette";
 import { drawPlunges } from "./plunges";
 import { type ClosedShape, type Shapes, shapesOf } from "./shapes";
-import { isFollowed, transitionLine, transitionPlace } from "./transition";
+import { followedTransitions, type Marked, transitionLine } from "./transition";
+
+/** Half of what the mark of a transition measures [px]. */
+const MARK_SIZE = 4.5;
+/** More marks than these in sight lie upon each other, and take longer to draw than a frame. */
+const MOST_MARKS = 1000;
 
 /** What the static layer shows. */
 export interface BaseScene {
@@ -40,7 +45,7 @@ export function drawBase(
     inMillimetres(context, view, (px) => {
       drawMaterial(context, shapes, result, palette, px, sightOf(view, size, 1), isGouged);
     });
-    drawFindings(context, view, result, palette, shapes.closed.length > 0);
+    drawFindings(context, { view, size, palette }, result, shapes.closed.length > 0);
     inMillimetres(context, view, (px) => {
       context.lineJoin = "round";
       context.lineCap = "round";
@@ -50,7 +55,7 @@ export function drawBase(
       drawPath(context, shapes, palette, px);
     });
     drawPlunges(context, view, result, palette);
-    drawTransitions(context, view, result, palette);
+    drawTransitions(context, view, size, result, palette);
   }
   drawScale(context, view, size, palette);
   const [right, up] = result?.axes ?? [0, 1];
@@ -124,19 +129,43 @@ function drawPath(context: Context, shapes: Shapes, palette: Palette, px: number
   for (const cut of shapes.cuts) context.stroke(cut);
 }
 
-function drawTransitions(context: Context, view: View, result: Result, palette: Palette): void {
+function drawTransitions(
+  context: Context,
+  view: View,
+  size: Size,
+  result: Result,
+  palette: Palette,
+): void {
   context.save();
   context.lineCap = "butt";
-  const shown = result.transitions.filter((transition) => isFollowed(transition, result));
-  for (const transition of shown) {
+  const shown = toldApart(followedTransitions(result), view, size);
+  for (const { transition } of shown) {
     const style = palette.kinds[transition.kind];
     const line = transitionLine(transition, result).map((point) => toScreen(view, point));
     if (transition.kind === "shortened") strokeLine(context, line, style.color, 1.25, [2, 3]);
     else strokeLine(context, line, style.color, 4, style.dash);
   }
-  for (const transition of shown) {
-    const place = toScreen(view, transitionPlace(transition, result));
-    mark(context, palette.kinds[transition.kind], place, 4.5, palette.paper);
+  for (const { transition, place } of shown) {
+    const style = palette.kinds[transition.kind];
+    mark(context, style, toScreen(view, place), MARK_SIZE, palette.paper);
   }
   context.restore();
+}
+
+/** Those in sight; where there are very many, one of those whose marks would lie upon each other. */
+function toldApart(all: readonly Marked[], view: View, size: Size): readonly Marked[] {
+  const inSight = all.filter(({ place, reach }) => {
+    const [x, y] = toScreen(view, place);
+    const room = reach * view.scale + 2 * MARK_SIZE;
+    return x > -room && y > -room && x < size.width + room && y < size.height + room;
+  });
+  if (inSight.length <= MOST_MARKS) return inSight;
+  const taken = new Set<string>();
+  return inSight.filter(({ transition: { kind }, place }) => {
+    const [x, y] = toScreen(view, place);
+    const cell = `${kind} ${Math.round(x / MARK_SIZE)} ${Math.round(y / MARK_SIZE)}`;
+    if (taken.has(cell)) return false;
+    taken.add(cell);
+    return true;
+  });
 }

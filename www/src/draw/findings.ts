@@ -3,7 +3,7 @@
 import { type Finding, findingsOf, type GougePlace } from "../findings";
 import { along, direction, type Point } from "../geometry";
 import type { Result } from "../result";
-import { toScreen, type View } from "../view";
+import { type Box, type Size, sightOf, toScreen, type View } from "../view";
 import { type Context, dot, inMillimetres, strokeLine } from "./canvas";
 import type { Palette } from "./palette";
 
@@ -17,16 +17,16 @@ const patterns = new Map<string, HTMLCanvasElement>();
 /** Hatches what is not reached, and fills what is cut too deep where the walls are open. */
 export function drawFindings(
   context: Context,
-  view: View,
+  { view, size, palette }: { view: View; size: Size; palette: Palette },
   result: Result,
-  palette: Palette,
   hasMaterial: boolean,
 ): void {
+  const sight = sightOf(view, size, 1);
   const uncut = new Path2D();
   const lenses = new Path2D();
   for (const finding of findingsOf(result)) {
     if (finding.kind === "uncut") addOutline(uncut, view, finding.outline);
-    else if (!hasMaterial && finding.depth * view.scale > LEAST_DEPTH) {
+    else if (!hasMaterial && finding.depth * view.scale > LEAST_DEPTH && isSeen(sight, finding)) {
       addLens(lenses, view, finding);
     }
   }
@@ -80,12 +80,20 @@ export function drawFinding(
 }
 
 function addOutline(path: Path2D, view: View, outline: Float64Array): void {
-  for (let i = 0; i + 1 < outline.length; i += 2) {
-    const [x, y] = toScreen(view, [outline[i] as number, outline[i + 1] as number]);
+  // The last corner leads back to the first. Browsers measure the whole path where one closes it, which
+  // with thousands of outlines in it takes a second.
+  for (let i = 0; i + 1 < outline.length + 2; i += 2) {
+    const at = i % outline.length;
+    const [x, y] = toScreen(view, [outline[at] as number, outline[at + 1] as number]);
     if (i === 0) path.moveTo(x, y);
     else path.lineTo(x, y);
   }
-  path.closePath();
+}
+
+/** Whether anything of the tool at a gouge may lie in what is in sight. */
+function isSeen({ min, max }: Box, { at: [x, y], radius }: GougePlace): boolean {
+  const reach = 2 * radius;
+  return x + reach > min[0] && x - reach < max[0] && y + reach > min[1] && y - reach < max[1];
 }
 
 /** The part of the tool beyond a straight wall that it cuts `depth` deep. */
@@ -98,8 +106,8 @@ function addLens(path: Path2D, view: View, { at, center, radius, depth }: GougeP
     x + radius * view.scale * Math.cos(middle - half),
     y + radius * view.scale * Math.sin(middle - half),
   );
+  // Filled, it closes by itself.
   path.arc(x, y, radius * view.scale, middle - half, middle + half);
-  path.closePath();
 }
 
 /** A tile of lines that rise to the right. */

@@ -42,10 +42,34 @@ export function transitionPlace(transition: Transition, result: Result): Point {
   return isOnPath(N2, result) ? N2 : N1;
 }
 
+/** A transition that the tool path takes, and where it is marked. */
+export interface Marked {
+  readonly transition: Transition;
+  readonly place: Point;
+  /** How far from there its line reaches [mm]. */
+  readonly reach: number;
+}
+
+const marked = new WeakMap<Result, readonly Marked[]>();
+
+/** The transitions that the tool path takes. */
+export function followedTransitions(result: Result): readonly Marked[] {
+  const before = marked.get(result);
+  if (before) return before;
+  const followed = result.transitions.filter((transition) => isFollowed(transition, result));
+  const list = followed.map((transition) => {
+    const place = transitionPlace(transition, result);
+    const line = transitionLine(transition, result);
+    return { transition, place, reach: Math.max(0, ...line.map((end) => distance(place, end))) };
+  });
+  marked.set(result, list);
+  return list;
+}
+
 const vertices = new WeakMap<Result, Set<string>>();
 
 /** Whether the tool path takes a transition: one that avoids gouges may leave it out. */
-export function isFollowed(transition: Transition, result: Result): boolean {
+function isFollowed(transition: Transition, result: Result): boolean {
   if (result.settings.gouge !== "avoid") return true;
   let known = vertices.get(result);
   if (!known) {
@@ -112,15 +136,15 @@ export function drawConstruction(
     context.lineWidth = 1.5;
     dot(context, at, 3.25, palette.paper, name === "P" ? palette.ink : color);
   }
-  const marked = grouped(
+  const grips = grouped(
     named.filter(([name]) => name !== "P").map(([name, p]) => [name, screen(p)]),
   );
-  const names = marked.map(([text, at]): Caption => {
+  const names = grips.map(([text, at]): Caption => {
     const clear = Math.max(15, 30 - distance(center, at));
     const wide = text.length > 2 ? 4 * (text.length - 2) * Math.abs(outwards(center, at)[0]) : 0;
     return { text, at: along(at, outwards(center, at), clear + wide) };
   });
-  const taken = marked.map(([, at]) => outwards(center, at));
+  const taken = grips.map(([, at]) => outwards(center, at));
   const corner: Caption = { text: "P", at: along(center, widest(taken, both), 16) };
   // Where the points lie upon each other, nobody sees which is which.
   const isTold = distance(center, screen(N1)) >= LEAST_REACH;

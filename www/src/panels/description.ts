@@ -1,5 +1,6 @@
 // The state in words, for those who do not see the picture.
 
+import { counted, grouped } from "../counts";
 import { format } from "../expression";
 import { findingsOf } from "../findings";
 import { describePoint, locate } from "../part";
@@ -44,7 +45,8 @@ export function describe({ result, selection, history, failure }: State): string
     );
     return sentences.join(" ");
   }
-  const count = (kind: string) => result.transitions.filter((each) => each.kind === kind).length;
+  const count = (kind: string) =>
+    grouped(result.transitions.filter((each) => each.kind === kind).length);
   sentences.push(
     `Transitions: ${count("shortened")} shortened, ${count("elongated")} elongated, ${count("inserted")} inserted.`,
   );
@@ -67,8 +69,4 @@ export function describe({ result, selection, history, failure }: State): string
     sentences.unshift(`${describePoint(part, selection)}: x ${format(at[0])}, y ${format(at[1])}.`);
   }
   return sentences.join(" ");
-}
-
-function counted(count: number, noun: string): string {
-  return `${count} ${noun}${count === 1 ? "" : "s"}`;
 }

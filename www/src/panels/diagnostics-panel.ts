@@ -2,6 +2,7 @@
 // and in the text, and while the pointer or the focus is on it, its measure.
 
 import type { Diagnostic } from "g41";
+import { counted } from "../counts";
 import { format } from "../expression";
 import { type Finding, findingOf, findingsOf, linesInWords, type UncutPlace } from "../findings";
 import type { Point } from "../geometry";
@@ -146,18 +147,14 @@ function summarize(result: Result): string {
   const [gouges, uncut] = split(findingsOf(result));
   const parts = (["error", "warning", "info"] as const).flatMap((severity) => {
     const count = counts[severity];
-    if (count === 0) return [];
-    return `${count.toLocaleString("en")} ${MARKS[severity].toLowerCase()}${count === 1 ? "" : "s"}`;
+    return count === 0 ? [] : counted(count, MARKS[severity].toLowerCase());
   });
   if (diagnostics.length > MOST) parts.push(`the first ${MOST} are listed`);
-  const [deepest] = gouges;
-  if (deepest)
-    parts.push(`${gouges.length.toLocaleString("en")} gouge${gouges.length === 1 ? "" : "s"}`);
+  if (gouges.length > 0) parts.push(counted(gouges.length, "gouge"));
   if (uncut.length > 0) {
     const area = uncut.reduce((sum, region) => sum + region.area, 0);
-    const places = `${uncut.length} place${uncut.length === 1 ? "" : "s"}`;
     const listed = uncut.length > MOST_UNCUT ? `, the largest ${MOST_UNCUT} listed` : "";
-    parts.push(`${format(area)} mm² uncut in ${places}${listed}`);
+    parts.push(`${format(area)} mm² uncut in ${counted(uncut.length, "place")}${listed}`);
   }
   if (parts.length > 0) return parts.join(", ");
   if (result.long || result.contours.length > 0) return "Nothing found: no gouges.";

@@ -2,6 +2,7 @@
 
 import { setSettings } from "../actions";
 import { DIALECTS, isName, PROFILES, TARGETS } from "../controls";
+import { counted } from "../counts";
 import { type Files, save, savedName } from "../files";
 import type { LongText } from "../long-text";
 import { INITIAL_SETTINGS, type Settings } from "../parameters";
@@ -160,5 +161,5 @@ function linkButton(store: Store): HTMLButtonElement {
 }
 
 function factsOf({ starts, bytes }: LongText): string {
-  return `${starts.length.toLocaleString("en")} lines, ${(bytes.length / 1e6).toFixed(1)} MB`;
+  return `${counted(starts.length, "line")}, ${(bytes.length / 1e6).toFixed(1)} MB`;
 }

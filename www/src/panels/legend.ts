@@ -1,8 +1,9 @@
 // The legend: what the lines and marks of the picture mean, and how many corners take each kind.
 
 import type { Transition } from "g41";
+import { grouped } from "../counts";
 import { plungesOf } from "../draw/plunges";
-import { isFollowed } from "../draw/transition";
+import { followedTransitions } from "../draw/transition";
 import { findingsOf } from "../findings";
 import type { StrokeKind } from "../large/strokes";
 import { FIELD, MoveRole, RAPID, type Result } from "../result";
@@ -74,10 +75,10 @@ export function legend(list: HTMLElement, store: Store): void {
   store.subscribe(({ result, space }, before) => {
     if (!result || (result === before.result && space === before.space)) return;
     for (const kind of ["shortened", "elongated", "inserted"] satisfies Transition["kind"][]) {
-      const followed = result.transitions.filter((transition) => isFollowed(transition, result));
-      const count = followed.filter((transition) => transition.kind === kind).length;
+      const followed = followedTransitions(result);
+      const count = followed.filter(({ transition }) => transition.kind === kind).length;
       const place = counts.get(kind);
-      if (place) place.textContent = String(count);
+      if (place) place.textContent = grouped(count);
     }
     const isCompensated = result.long !== undefined || result.contours.length > 0;
     for (const kind of COMPENSATED) show(kind, isCompensated);
@@ -91,7 +92,7 @@ export function legend(list: HTMLElement, store: Store): void {
     for (const kind of WHERE_FOUND) {
       const count = findings.filter((finding) => finding.kind === kind).length;
       const place = counts.get(kind);
-      if (place) place.textContent = String(count);
+      if (place) place.textContent = grouped(count);
       show(kind, count > 0);
     }
   });
