@@ -115,7 +115,8 @@ impl Interpreter {
             return;
         }
         let numbers = self.modal.cycle;
-        let (Some(retract), Some(bottom)) = (numbers.retract, numbers.depth) else {
+        let start = self.start_as_retract(block, number, normal);
+        let (Some(retract), Some(bottom)) = (numbers.retract.or(start), numbers.depth) else {
             let missing = if numbers.retract.is_none() { 'R' } else { AXES[normal] };
             let at = block.start();
             self.error(
@@ -209,6 +210,23 @@ impl Interpreter {
         }
         self.feed_of_moves(block);
         self.is_refused
+    }
+
+    /// Without R a cycle of Haas' begins where the tool is: none of the way down is rapid.
+    fn start_as_retract(&mut self, block: &Block, number: u32, normal: usize) -> Option<f64> {
+        let numbers = self.modal.cycle;
+        if self.dialect != Dialect::Fanuc
+            || numbers.retract.is_some()
+            || numbers.depth.is_none()
+            || !self.modal.stated[normal]
+        {
+            return None;
+        }
+        let message = format!("the cycle (G{number}) has no R word");
+        let hint =
+            "it begins at the height where the tool is, as Haas has it; others may refuse it";
+        self.report.warning("no-retract", message, block.start(), hint);
+        Some(numbers.initial)
     }
 
     fn bad_repeats(&mut self, block: &Block, word: &Word) {

@@ -53,7 +53,7 @@ impl Interpreter {
             }
         });
         if made.is_none() {
-            let what = if is_pocket { "I, D and Z, K with Q" } else { "a cycle, I and L" };
+            let what = if is_pocket { "I and D, K with Q" } else { "a cycle, I and L" };
             let message =
                 format!("{} is not possible here: it needs {what}", text_of('G', word.value));
             let hint = "nothing is cut; it needs G17, and G40 before";
@@ -72,7 +72,7 @@ impl Interpreter {
         first: f64,
     ) -> Option<()> {
         let (last, step) = (of(block, 'K').unwrap_or(first), of(block, 'Q').unwrap_or(0.0));
-        let (number, depth) = (of(block, 'D')?, of(block, 'Z')?);
+        let (number, depth) = (of(block, 'D')?, of(block, 'Z'));
         if last != first {
             // What rounding leaves is no ring more.
             rings = whole(((last - first) / step - 1e-9).ceil())?;
@@ -92,7 +92,9 @@ impl Interpreter {
         // D0 says that the centre of the tool is programmed.
         let side = if number == 0.0 { 40.0 } else { 44.0 - turn };
         for _ in 0..times {
-            self.run_made(&mut made, word, &[('G', 1.0), ('Z', depth)]);
+            if let Some(depth) = depth {
+                self.run_made(&mut made, word, &[('G', 1.0), ('Z', depth)]);
+            }
             for ring in 0..=rings {
                 let radius = last.min(first + f64::from(ring) * step);
                 let [x, y] = self.words_to(center + DVec2::X * radius);

@@ -2,9 +2,9 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use g41::program::Interpretation;
+use g41::program::{Dialect, Interpretation};
 
-use super::sample::{ERROR, found, moves, read, read_as_fanuc, read_clean, steps};
+use super::sample::{ERROR, codes, found, moves, read, read_as_fanuc, read_clean, steps};
 
 /// The steps after the first `skip`.
 fn after(skip: usize, read: &Interpretation) -> Vec<String> {
@@ -187,4 +187,22 @@ fn fanuc_keeps_the_heights_of_a_cycle_where_g91_comes_behind_them() {
     let found = after(1, &incremental);
     assert_eq!(found[..7], expected, "R counts from where it began, the depth from R");
     assert_eq!(found[7..], ["R 30 0 2", "30 0 -2", "R 30 0 2"], "the same under G90");
+}
+
+#[test]
+fn a_cycle_of_haas_without_r_begins_where_the_tool_is() {
+    // As its users write it, on one spot too: everything is cut on the way down.
+    let text = "G0 X20. Y45. Z2.\nG81 G98 Z-11. F90\nX30.\nG80\n";
+    let read = read_as_fanuc(text);
+    let expected = ["R 20 45 2", "20 45 -11", "R 20 45 2", "R 30 45 2", "30 45 -11", "R 30 45 2"];
+    assert_eq!(steps(&read), expected, "{:?}", read.diagnostics);
+    assert!(read.diagnostics.iter().all(|d| d.code == "no-retract"), "{:?}", read.diagnostics);
+    assert!(!read.diagnostics.is_empty(), "it is told");
+    for text in ["G81 X1. Z-11. F90\n", "G0 Z2.\nG81 X1. F90\n"] {
+        assert_eq!(
+            codes(text, Dialect::Fanuc),
+            ["missing-depth"],
+            "height or depth unknown: {text}"
+        );
+    }
 }

@@ -51,6 +51,8 @@ fn a_pocket_is_circles_about_its_centre() {
         ("G12 I15 F100 Z-12 D1", Side::Right, vec![15.0]),
         ("G13 I3 K15 Q5 F100 Z-12 D1", Side::Left, vec![3.0, 8.0, 13.0, 15.0]),
         ("G13 I5 K15 Q5 F100 Z-12 D1", Side::Left, vec![5.0, 10.0, 15.0]),
+        // The depth may have been gone to before.
+        ("G1 Z-12 F50\nG12 I5 K15 Q10 F100 D1", Side::Right, vec![5.0, 15.0]),
     ] {
         let read = read_as_fanuc(&text(word));
         assert!(read.diagnostics.is_empty(), "{word}: {:?}", read.diagnostics);
