@@ -146,6 +146,16 @@ impl Contour {
         &self.events
     }
 
+    /// How many events are before those that happen before a segment.
+    fn events_before(&self, segment: usize) -> usize {
+        self.events.partition_point(|event| event.before < segment)
+    }
+
+    /// What happens before one segment.
+    pub(crate) fn events_at(&self, segment: usize) -> &[Event] {
+        &self.events[self.events_before(segment)..self.events_before(segment + 1)]
+    }
+
     /// Its first point [mm].
     #[must_use]
     pub fn start(&self) -> DVec2 {
@@ -157,12 +167,11 @@ impl Contour {
     #[must_use]
     pub(crate) fn part(&self, range: Range<usize>) -> Self {
         let ends = range.end == self.segments.len();
-        let mut events = Vec::new();
-        for event in &self.events {
-            let Some(before) = event.before.checked_sub(range.start) else { continue };
-            if (before > 0 || range.start == 0) && (event.before < range.end || ends) {
-                events.push(Event { before, ..event.clone() });
-            }
+        let from = if range.start == 0 { 0 } else { self.events_before(range.start + 1) };
+        let to = if ends { self.events.len() } else { self.events_before(range.end) };
+        let mut events = self.events[from..to].to_vec();
+        for event in &mut events {
+            event.before -= range.start;
         }
         Self {
             closed: false,

@@ -40,8 +40,9 @@ pub(super) fn avoid_laps(
         let (along, walls) = with_neighbours(contour, from..until, tool.side());
         let mut own = compensate_beside(&along, walls, tool, options);
         leave_out_beside(&mut own);
-        let between = contour.events().iter().filter(|event| from > 0 && event.before == from);
-        between.for_each(|event| path.happen(event, contour.start()));
+        for event in if from > 0 { contour.events_at(from) } else { &[] } {
+            path.happen(event, contour.start());
+        }
         follow(&mut path, own, options.usable_tolerance());
         (from, next) = (until, until + count);
     }
