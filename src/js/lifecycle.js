@@ -143,6 +143,22 @@ export function call(work) {
 }
 
 /**
+ * What ends a call for which more is taken than this most likely ends it for want of memory [bytes]: what
+ * grows is doubled, and there are 4 GB at most.
+ */
+const MOST_TAKEN = 2 ** 30;
+
+/**
+ * The memory of one of the two [bytes].
+ *
+ * @param {Instance} instance
+ */
+function takenBy({ glue }) {
+  // What is loaded already is not loaded again.
+  return glue.initSync(/** @type {any} */ (undefined)).memory.buffer.byteLength;
+}
+
+/**
  * Runs a call into one of the two.
  *
  * @template T
@@ -173,6 +189,11 @@ function run(instance, work) {
     // Whatever else ends a call (a trap, a full stack, no memory) leaves the instance in a state
     // that nobody knows.
     instance.state = "trapped";
+    const taken = takenBy(instance);
+    if (taken > MOST_TAKEN) {
+      const message = `g41 has stopped for want of memory: ${Math.round(taken / 1e6)} MB are taken`;
+      throw coded("out-of-memory", message, { cause });
+    }
     throw coded("trapped", `g41 has stopped after an internal error: ${cause}`, { cause });
   } finally {
     running = outer;

@@ -151,3 +151,18 @@ test("after a trap every call says so, until init() starts afresh", async () => 
   await settle();
   assert.deepEqual(compensate(part, left).moves, moves);
 });
+
+test("where memory has run out that is said", async () => {
+  const outOfBounds = () => {
+    const wasm = initSync();
+    wasm.memory.grow(2 ** 14 + 1);
+    wasm.toolpathhandle_records(0xfffffff0);
+  };
+  assert.throws(
+    () => call(outOfBounds),
+    (error) => error.code === "out-of-memory" && /^g41 .*memory: 1\d{3} MB/.test(error.message),
+  );
+  throwsCode(() => compensate(part, left), "trapped");
+  await init();
+  assert.ok(compensate(part, left).moves.length > 0, "afresh");
+});

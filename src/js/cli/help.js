@@ -13,7 +13,7 @@ const exitCodes = `Exit codes:
      of it is written all the same
   2  the command was used wrongly
   3  a file cannot be read or written
-  4  an internal error: please report it`;
+  4  no memory left, or an internal error: please report it`;
 
 /** What `g41 --help` prints. */
 export function overview() {

@@ -109,6 +109,10 @@ function failureOf(error) {
   if (path !== undefined) {
     return { code: exit.file, message };
   }
+  if (code === "out-of-memory") {
+    const hint = "look for a loop without end, or cut the program into parts";
+    return { code: exit.internal, message, hint };
+  }
   return {
     code: exit.internal,
     message: stack ?? message,

@@ -26,6 +26,8 @@ export interface G41Error extends Error {
    * - `"disposed"`: the handle was given back by `using` or `[Symbol.dispose]()`
    * - `"trapped"`: an earlier call ended in an internal error; `await init()` starts afresh, and
    *   handles made before are lost
+   * - `"out-of-memory"`: what was asked for takes more than the 4 GB that WebAssembly has, or than the
+   *   machine gives; like `"trapped"` after that
    */
   code:
     | "not-initialised"
@@ -34,7 +36,8 @@ export interface G41Error extends Error {
     | "not-supported"
     | "several-pieces"
     | "disposed"
-    | "trapped";
+    | "trapped"
+    | "out-of-memory";
   /** For `"bad-argument"`: the place in the arguments, as in `segments[3].to[0]`. */
   path?: string;
 }
