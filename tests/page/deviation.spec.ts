@@ -94,3 +94,19 @@ test("the numbers of the axis stand near what the curve reaches", async ({ page 
   await expect(plots.last().locator("text", { hasText: /^\+100$/ })).toHaveCount(1);
   await expect(plots.last().locator("text", { hasText: /^−100$/ })).toHaveCount(1);
 });
+
+test("of a program without compensation it says so, and shows no plots", async ({ page }) => {
+  const g41 = new G41Page(page);
+  await g41.open();
+  await g41.program.fill("G21 G90\nG0 X0 Y0\nG1 X20 Y4 F300\nX40 Y0\nM30\n");
+  await page.getByRole("button", { name: "Deviation plot" }).click();
+  const nothing = page.locator(".deviation-nothing");
+  await expect(nothing, "it is said").toHaveText(/Nothing here is compensated/);
+  await expect(nothing).toBeVisible();
+  await expect(page.locator(".deviation-plot"), "no plot of nothing").toHaveCount(0);
+  // And it is measured as soon as there is something.
+  await g41.program.fill("G0 X-20 Y0\nG1 G41 D1 X0 Y0 F300\nX40 Y0\nG1 G40 X100\nM30\n");
+  await expect(page.locator(".deviation-plot"), "two plots").toHaveCount(2);
+  await expect(nothing).toBeHidden();
+  expect(g41.errors).toEqual([]);
+});

@@ -50,7 +50,13 @@ export function deviationPanel(
   );
   const plots = element("div", { class: "deviation-plots" });
   const failure = element("p", { class: "deviation-failure", role: "status" });
-  section.append(element("h2", {}, "Deviation from the equidistant, µm"), note, failure, plots);
+  const nothing = element(
+    "p",
+    { class: "deviation-nothing", role: "status", hidden: true },
+    "Nothing here is compensated, so there is no deviation to be measured.",
+  );
+  const title = element("h2", {}, "Deviation from the equidistant, µm");
+  section.append(title, note, nothing, failure, plots);
 
   let worker: Worker | undefined;
   let measured: Deviations | undefined;
@@ -75,10 +81,13 @@ export function deviationPanel(
     const take = (data: Deviations | string) => {
       underWay = false;
       const failed = typeof data === "string";
+      // Of nothing, plots would say that all of it is within the tolerance.
+      const isEmpty = !failed && data.length === 0;
+      nothing.hidden = !isEmpty;
       failure.textContent = failed ? data : "";
-      measured = failed ? undefined : data;
+      measured = failed || isEmpty ? undefined : data;
       // What was measured before is of another program.
-      if (failed) plots.replaceChildren();
+      if (!measured) plots.replaceChildren();
       else draw();
       if (wanted) ask();
       else section.setAttribute("aria-busy", "false");
