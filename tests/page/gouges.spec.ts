@@ -136,6 +136,8 @@ test("stopped, there is no path, and the reason is said", async ({ page }) => {
 test("pieces are crossed above the part, or the program ends and says so", async ({ page }) => {
   const g41 = new G41Page(page);
   await g41.open("rooms");
+  await expect(page.locator("#legend .swatch-rapid"), "the way is drawn").toBeVisible();
+  await expect(page.locator("#legend .swatch-plunge"), "and where it ends").toBeVisible();
   await expect(g41.output).toHaveValue(/^G0 Z5\nX[\d.]+ Y[\d.]+\nG1 Z-2 F120$/m);
   await expect(page.locator(".diagnostic-error")).toHaveCount(0);
   const text = await g41.program.inputValue();

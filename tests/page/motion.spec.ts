@@ -399,3 +399,23 @@ test("a limit that cannot be is brought into its range", async ({ page }) => {
   await enter(page, "Acceleration in mm/s²", "0");
   await expect(page.getByLabel("Acceleration in mm/s²")).toHaveValue("1");
 });
+
+test("between two pieces the tool flies, by the feed of a rapid move, and goes down by that of a plunge", async ({
+  page,
+}) => {
+  const g41 = await opened(page, "rooms");
+  const slider = page.getByRole("slider", { name: "Time" });
+  const feed = page.locator(".motion-plot").first();
+  const seen = new Map<string, string>();
+  // The first way, by the heights and places that the program and its pieces have.
+  for (let step = 55; step < 80; step += 1) {
+    await slider.fill(String(step));
+    const place = (await page.locator("#readout").textContent()) ?? "";
+    const [x = 0, , z = 0] = (place.match(/-?[\d.]+/g) ?? []).map(Number);
+    const limit = /of ([\d ]+) mm\/min/.exec((await feed.textContent()) ?? "")?.[1] ?? "";
+    if (z > 4.99 && x > 30 && x < 60) seen.set("across", limit);
+    if (z < 4.9 && x > 66) seen.set("down", limit);
+  }
+  expect(Object.fromEntries(seen)).toEqual({ across: "12 000", down: "120" });
+  expect(g41.errors).toEqual([]);
+});

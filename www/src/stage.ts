@@ -331,7 +331,7 @@ export class Stage {
     const tool = (at: Point, line: number | undefined) => {
       return { at, radius: Math.abs(radiusOn(result, contourAt(result, line))) };
     };
-    if (played) return tool(played.at, played.line);
+    if (played) return { ...tool(played.at, played.line), isRapid: played.isRapid };
     if (probe) return tool(probe, lineOfMove(result, nearestOn(result.path, probe)?.owner ?? 0));
     const transition = corner === undefined ? undefined : result.transitions[corner];
     const there = transition && tool(transitionPlace(transition, result), lineOf(transition));

@@ -69,6 +69,8 @@ export interface Played {
   readonly at: Point;
   readonly point: readonly [x: number, y: number, z: number];
   readonly line: number | undefined;
+  /** Whether it is on a rapid move, above what it cuts. */
+  readonly isRapid: boolean;
 }
 
 /** Called after each change, with the state before it. */

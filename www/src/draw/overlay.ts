@@ -19,6 +19,8 @@ export interface Tool {
   readonly at: Point;
   /** [mm] */
   readonly radius: number;
+  /** Whether it is on its way, and cuts nothing: then its edge is dashed. */
+  readonly isRapid?: boolean;
 }
 
 /** What the live layer shows. */
@@ -116,16 +118,19 @@ function drawTraced(context: Context, view: View, palette: Palette, points: Floa
   context.lineCap = "butt";
 }
 
-function drawTool(context: Context, view: View, palette: Palette, { at, radius }: Tool): void {
+function drawTool(context: Context, view: View, palette: Palette, tool: Tool): void {
+  const { at, radius, isRapid = false } = tool;
   const [x, y] = toScreen(view, at);
   const r = radius * view.scale;
   context.beginPath();
   context.arc(x, y, r, 0, 2 * Math.PI);
   context.fillStyle = palette.toolFill;
-  context.fill();
+  if (!isRapid) context.fill();
   context.lineWidth = 1.5;
   context.strokeStyle = palette.tool;
+  context.setLineDash(isRapid ? [3, 4] : []);
   context.stroke();
+  context.setLineDash([]);
   const cross = Math.min(6, Math.max(3, r * 0.3));
   strokeLine(
     context,

@@ -14,6 +14,7 @@ import {
 } from "../result";
 import { type Size, toWorld, type View } from "../view";
 import { trackOf, type Window } from "./track";
+import { waysOf } from "./ways";
 
 /** A contour that encloses an area. */
 export interface ClosedShape {
@@ -221,7 +222,12 @@ function cutRuns(result: Result): readonly CutRun[] {
   return list;
 }
 
-function rapidShape({ records, stride, axes: [right, up] }: Result): Path2D {
+function rapidShape(result: Result): Path2D {
+  const {
+    records,
+    stride,
+    axes: [right, up],
+  } = result;
   const rapids = new Path2D();
   // The first rapid is left out: it comes from where the tool stood before, which nobody knows.
   const first = records[FIELD.kind] === RAPID ? stride : 0;
@@ -230,6 +236,14 @@ function rapidShape({ records, stride, axes: [right, up] }: Result): Path2D {
     const [from, to] = [at + FIELD.from, at + FIELD.to];
     rapids.moveTo(records[from + right] as number, records[from + up] as number);
     rapids.lineTo(records[to + right] as number, records[to + up] as number);
+  }
+  // Dashes of a way back would fill the gaps of the way there.
+  const drawn = new Set<string>();
+  for (const { from, to } of waysOf(result)) {
+    if (drawn.has(`${to} ${from}`)) continue;
+    drawn.add(`${from} ${to}`);
+    rapids.moveTo(...from);
+    rapids.lineTo(...to);
   }
   return rapids;
 }

@@ -174,9 +174,10 @@ export class MotionPanel {
     this.#player.seek(this.#data?.time[index] ?? 0);
   }
 
-  #show({ point, line }: NonNullable<ReturnType<typeof placeAt>>): void {
+  #show({ point, line, move }: NonNullable<ReturnType<typeof placeAt>>): void {
     const [right, up] = this.#store.state.result?.axes ?? [0, 1];
-    this.#store.set({ played: { at: [point[right], point[up]], point, line } });
+    const isRapid = this.#data?.rapid[move] === 1;
+    this.#store.set({ played: { at: [point[right], point[up]], point, line, isRapid } });
   }
 
   /** The pointer is on the picture: near the path, the plots show where. */

@@ -17,6 +17,7 @@ import {
   type Other,
   otherMethod,
 } from "./protocol";
+import { withWays } from "./ways";
 
 /** The place of the feed in a record. */
 const FEED = 3;
@@ -93,8 +94,10 @@ function planned(path: ToolPath, limits: Limits): MotionData {
     const { duration, time, x, y, z, velocity, jerk, block, violations } = motion;
     const { tangentialAcceleration: tangential, normalAcceleration: normal } = motion;
     const length = lengths(motion);
-    const of = { time, x, y, z, velocity, tangential, normal, jerk, block, length };
-    return { duration, violations, limits, milliseconds, ...of, ...movesOf(path, limits) };
+    const of = { time, x, y, z, velocity, tangential, normal, jerk, length };
+    const records = path.records();
+    const moves = withWays(of, { block, ...movesOf(records, limits) }, records, limits);
+    return { duration, violations, limits, milliseconds, ...of, ...moves };
   } finally {
     motion[Symbol.dispose]();
   }
@@ -110,8 +113,7 @@ function lengths({ x, y, z }: Motion): Float64Array {
   return length;
 }
 
-function movesOf(path: ToolPath, { velocity, feedOverride = 1 }: Limits) {
-  const records = path.records();
+function movesOf(records: Float64Array, { velocity, feedOverride = 1 }: Limits) {
   const count = records.length / RECORD_STRIDE;
   const feeds = new Float64Array(count);
   const rapid = new Uint8Array(count);

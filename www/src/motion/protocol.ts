@@ -27,7 +27,7 @@ export interface MotionData {
   readonly normal: Float64Array;
   /** [mm/s³] */
   readonly jerk: Float64Array;
-  /** The move of each sample. */
+  /** The move of each sample; behind those of the path come the ways between its pieces. */
   readonly block: Uint32Array;
   /** Length of the way up to each sample [mm]. */
   readonly length: Float64Array;
