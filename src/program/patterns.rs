@@ -42,8 +42,9 @@ impl Interpreter {
         let count = whole(times.unwrap_or(1.0)).filter(|count| (1..=MOST).contains(count));
         let free = self.course.switched().is_none() && !self.modal.absolute_center;
         let mut made = block.clone();
+        let left_out = if is_pocket { "IJKLDQZ" } else { "IJKLXY" };
         made.words.retain(|w| {
-            !matches!(w.letter, 'I' | 'J' | 'K' | 'L' | 'X' | 'Y') && w.column != word.column
+            left_out.chars().all(|letter| letter != w.letter) && w.column != word.column
         });
         let made = count.filter(|_| free && self.modal.plane == Plane::Xy).and_then(|count| {
             if is_pocket {
@@ -56,7 +57,7 @@ impl Interpreter {
             let what = if is_pocket { "I and D, K with Q" } else { "a cycle, I and L" };
             let message =
                 format!("{} is not possible here: it needs {what}", text_of('G', word.value));
-            let hint = "nothing is cut; it needs G17, and G40 before";
+            let hint = "it needs G17, and G40 before";
             self.error("bad-pattern", message, block.origin_at(word.column), hint);
         }
         true
@@ -83,8 +84,6 @@ impl Interpreter {
         if !self.may_expand(block, times.saturating_mul(3 * rings + 4)) {
             return Some(());
         }
-        made.words.retain(|w| !matches!(w.letter, 'D' | 'Q' | 'Z'));
-        made.words.extend(block.words.iter().filter(|w| matches!(w.letter, 'X' | 'Y')));
         self.block(&made);
         made.comments.clear();
         let (motion, center) = (self.modal.motion, self.plane_place());
