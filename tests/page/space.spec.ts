@@ -215,3 +215,39 @@ test("as the tool runs the moves are not drawn again", async ({ page }) => {
   await page.locator("canvas.space").press("ArrowLeft");
   await expect.poll(dashed, { message: "turned, they are drawn again" }).toBeGreaterThan(0);
 });
+
+test("between two pieces the way is drawn up, across at the height of rapid moves, and down", async ({
+  page,
+}) => {
+  // What is drawn in space, as the page has it from its worker.
+  await page.addInitScript(() => {
+    window.Worker = class extends Worker {
+      constructor(...all: ConstructorParameters<typeof Worker>) {
+        super(...all);
+        this.addEventListener("message", ({ data }) => {
+          const strokes = data?.result?.space?.strokes as { kind: string; points: Float32Array }[];
+          const rapid = strokes?.find(({ kind }) => kind === "rapid");
+          if (rapid) Object.assign(window, { rapid: [...rapid.points] });
+        });
+      }
+    };
+  });
+  const g41 = new G41Page(page);
+  await g41.open("rooms");
+  const points = await page.evaluate(() => (window as unknown as { rapid: number[] }).rapid);
+  const places = Array.from({ length: points.length / 3 }, (_, i) =>
+    points.slice(3 * i, 3 * i + 3),
+  );
+  const across = places.findIndex(
+    ([x, y, z], i) => x === 22 && y === 26 && z === 5 && (places[i + 1]?.[0] ?? 0) > 64,
+  );
+  expect(across, "one way leads to the other room").toBeGreaterThan(0);
+  expect(places[across - 1], "up from where it was").toEqual([22, 26, -2]);
+  expect(places[across + 1]?.[2], "across at the same height").toBe(5);
+  // Where nothing is cut apart there is no way: the rapid move at the end alone.
+  await page.getByRole("radio", { name: "Report" }).check();
+  await g41.settled();
+  const plain = await page.evaluate(() => (window as unknown as { rapid: number[] }).rapid);
+  expect(plain.length / 3, "vertices of rapid moves").toBe(2);
+  expect(g41.errors, "errors of the page").toEqual([]);
+});

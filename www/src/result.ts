@@ -2,6 +2,7 @@
 
 import type { Diagnostic, Dialect, Gouge, ProgrammedContour, Transition, Uncut } from "g41";
 import type { Axes, Strokes } from "./large/strokes";
+import type { Way } from "./large/ways";
 import type { LongText } from "./long-text";
 import type { Settings } from "./parameters";
 import type { Space } from "./space/strokes";
@@ -66,6 +67,8 @@ export interface Result {
   readonly path: Lines;
   /** The same in space, with rapid moves; of a very long program a part of its vertices. */
   readonly space: Space;
+  /** The ways between the pieces of the path. */
+  readonly ways: readonly Way[];
   /** The moves, `stride` numbers each. */
   readonly records: Float64Array;
   readonly stride: number;

@@ -2,11 +2,11 @@
 // picture of a plane would show nothing.
 
 import type { Point } from "../geometry";
+import { waysInPlane } from "../large/ways";
 import { FIELD, RAPID, type Result } from "../result";
 import { toScreen, type View } from "../view";
 import { type Context, dot } from "./canvas";
 import type { Palette } from "./palette";
-import { waysOf } from "./ways";
 
 /** More of them than these are a smear. */
 const MOST = 5000;
@@ -30,7 +30,7 @@ export function plungesOf(result: Result): readonly Point[] {
     const place: Point = [to(right), to(up)];
     places.set(name(place), place);
   }
-  for (const { to } of waysOf(result)) places.set(name(to), to);
+  for (const [, to] of waysInPlane(result)) places.set(name(to), to);
   for (const { leadIn } of result.contours) if (leadIn) places.delete(name(leadIn));
   const list = places.size > MOST ? [] : [...places.values()];
   known.set(result, list);

@@ -1,5 +1,6 @@
 // Path2D objects of a result in millimetres, made once and kept as long as the result.
 
+import { waysInPlane } from "../large/ways";
 import type { LivePicture } from "../live/picture";
 import {
   contourAt,
@@ -14,7 +15,6 @@ import {
 } from "../result";
 import { type Size, toWorld, type View } from "../view";
 import { trackOf, type Window } from "./track";
-import { waysOf } from "./ways";
 
 /** A contour that encloses an area. */
 export interface ClosedShape {
@@ -239,7 +239,7 @@ function rapidShape(result: Result): Path2D {
   }
   // Dashes of a way back would fill the gaps of the way there.
   const drawn = new Set<string>();
-  for (const { from, to } of waysOf(result)) {
+  for (const [from, to] of waysInPlane(result)) {
     if (drawn.has(`${to} ${from}`)) continue;
     drawn.add(`${from} ${to}`);
     rapids.moveTo(...from);

@@ -2,6 +2,7 @@
 
 import { type Program, RECORD_STRIDE, type ToolPath } from "g41";
 import { FIELD, MoveRole, RAPID } from "../result";
+import { type Way, WayFinder, waysInPlane } from "./ways";
 
 /** What a line of the picture is: part of a contour, or a move and what it is there for. */
 export type StrokeKind = "rapid" | "free" | "contour" | "lead" | "cut";
@@ -40,12 +41,14 @@ export interface Moves {
   readonly rapids: Float64Array;
   /** The line of each rapid move. */
   readonly rapidLines: Uint32Array;
+  /** The ways between the pieces of the path. */
+  readonly ways: readonly Way[];
   /** The axes of the plane that it is programmed in: where it is compensated, else where it cuts. */
   readonly axes: Axes;
 }
 
-/** Looks at the moves of a path. */
-export function movesOf(path: ToolPath): Moves {
+/** Looks at the moves of a path; only one that avoids gouges is in several pieces. */
+export function movesOf(path: ToolPath, isAvoiding: boolean): Moves {
   const { count } = path;
   const lines = new Uint32Array(count);
   const roles = new Uint8Array(count);
@@ -53,11 +56,13 @@ export function movesOf(path: ToolPath): Moves {
   const rapidLines: number[] = [];
   const cutting = [0, 0, 0];
   const compensated = [0, 0, 0];
+  const finder = new WayFinder();
   for (let from = 0; from < count; from += SLICE) {
     const records = path.records(from, from + SLICE);
     for (let at = 0, i = from; at < records.length; at += RECORD_STRIDE, i += 1) {
       const line = records[at + FIELD.block] as number;
       const role = records[at + FIELD.role] as MoveRole;
+      if (isAvoiding) finder.look(records, at);
       lines[i] = Number.isNaN(line) ? 0 : line;
       roles[i] = role;
       const plane = records[at + FIELD.plane] as number;
@@ -76,6 +81,7 @@ export function movesOf(path: ToolPath): Moves {
     roles,
     rapids: Float64Array.from(rapids),
     rapidLines: Uint32Array.from(rapidLines),
+    ways: finder.ways,
     axes,
   };
 }
@@ -124,7 +130,8 @@ export function kindOf(role: MoveRole): "free" | "lead" | "cut" {
   return role === MoveRole.Segment || role === MoveRole.Transition ? "cut" : "lead";
 }
 
-function rapidStrokes({ rapids, rapidLines, axes }: Moves): Strokes {
+function rapidStrokes(moves: Moves): Strokes {
+  const { rapids, rapidLines, axes } = moves;
   const pen = new Pen();
   const points = seen(rapids, axes);
   // The first comes from where the tool stood before, which nobody knows.
@@ -132,6 +139,10 @@ function rapidStrokes({ rapids, rapidLines, axes }: Moves): Strokes {
     const line = rapidLines[i] as number;
     pen.begin(points[4 * i] as number, points[4 * i + 1] as number, line);
     pen.add(points[4 * i + 2] as number, points[4 * i + 3] as number, line);
+  }
+  for (const [from, to] of waysInPlane(moves)) {
+    pen.begin(...from, 0);
+    pen.add(...to, 0);
   }
   return { kind: "rapid", ...pen.drawn() };
 }

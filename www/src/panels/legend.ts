@@ -4,9 +4,9 @@ import type { Transition } from "g41";
 import { grouped } from "../counts";
 import { plungesOf } from "../draw/plunges";
 import { followedTransitions } from "../draw/transition";
-import { waysOf } from "../draw/ways";
 import { findingsOf } from "../findings";
 import type { StrokeKind } from "../large/strokes";
+import { waysInPlane } from "../large/ways";
 import { FIELD, MoveRole, RAPID, type Result } from "../result";
 import type { Store } from "../state";
 import { element } from "./elements";
@@ -86,7 +86,7 @@ export function legend(list: HTMLElement, store: Store): void {
     for (const kind of CORNERS) show(kind, isCompensated && !result.long);
     show("plunge", plungesOf(result).length > 0);
     for (const kind of ["free", "rapid"] as const) {
-      const isWay = kind === "rapid" && waysOf(result).length > 0;
+      const isWay = kind === "rapid" && waysInPlane(result).length > 0;
       const isMove = isWay || hasMoves(result, kind === "rapid");
       const isDrawn = space ? hasStrokes(result, kind) : isMove;
       show(kind, result.long !== undefined || isDrawn);

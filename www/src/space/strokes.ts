@@ -41,7 +41,7 @@ const MOST_VERTICES = 200_000;
 
 /** All strokes of a path and of the contours that it follows. */
 export function spaceOf(contours: Polylines, path: Polylines, moves: Moves): Space {
-  const { roles, lines, rapids, rapidLines } = moves;
+  const { roles, lines, rapids, rapidLines, ways } = moves;
   const pens = { free: new Pen(), lead: new Pen(), cut: new Pen() };
   const thin = Math.ceil(path.owners.length / MOST_VERTICES);
   path.starts.forEach((start, piece) => {
@@ -70,6 +70,15 @@ export function spaceOf(contours: Polylines, path: Polylines, moves: Moves): Spa
     const line = rapidLines[i] as number;
     rapid.begin(rapids, 2 * i, line);
     rapid.add(rapids, 2 * i + 1, line);
+  }
+  for (const { from, to, height, line } of ways) {
+    const corners = [from[0], from[1], height, to[0], to[1], height];
+    const way = Float64Array.from([...from, ...corners, ...to]);
+    rapid.begin(way, 0, line);
+    for (const corner of [1, 2]) rapid.add(way, corner, line);
+    // Down it goes at a feed.
+    pens.free.begin(way, 2, line);
+    pens.free.add(way, 3, line);
   }
   const strokes: SpaceStrokes[] = [
     { kind: "rapid", ...rapid.drawn() },
