@@ -127,3 +127,24 @@ test("the caret in the text and the point in the picture are linked", async ({ p
   await g41.frames(2);
   expect(await g41.canvas.evaluate((c) => (c as HTMLCanvasElement).toDataURL())).not.toBe(before);
 });
+
+test("a rapid move there and back many times is drawn once, and stays dotted", async ({ page }) => {
+  await page.addInitScript(() => {
+    const drawn = { lines: 0 };
+    Object.assign(window, { drawn });
+    const { lineTo } = Path2D.prototype;
+    Path2D.prototype.lineTo = function (this: Path2D, x: number, y: number) {
+      if (x === 50 || x === 10) drawn.lines += 1;
+      return lineTo.call(this, x, y);
+    };
+  });
+  const g41 = new G41Page(page);
+  await g41.open();
+  await g41.program.fill(`G21 G90\nG0 X10 Y0 Z5\n${"G0 X50\nG0 X10\n".repeat(200)}G1 X20 F300\n`);
+  await g41.settled();
+  const lines = await page.evaluate(
+    () => (window as unknown as { drawn: { lines: number } }).drawn.lines,
+  );
+  expect(lines, "lines to the ends of the way").toBeGreaterThan(0);
+  expect(lines, "lines to the ends of the way").toBeLessThan(20);
+});

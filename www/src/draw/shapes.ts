@@ -1,5 +1,6 @@
 // Path2D objects of a result in millimetres, made once and kept as long as the result.
 
+import type { Point } from "../geometry";
 import { waysInPlane } from "../large/ways";
 import type { LivePicture } from "../live/picture";
 import {
@@ -222,29 +223,35 @@ function cutRuns(result: Result): readonly CutRun[] {
   return list;
 }
 
+const rapidShapes = new WeakMap<Result, Path2D>();
+
+/** Rapid moves, each place once: a loop may go one way a hundred thousand times. */
 function rapidShape(result: Result): Path2D {
-  const {
-    records,
-    stride,
-    axes: [right, up],
-  } = result;
+  const before = rapidShapes.get(result);
+  if (before) return before;
+  const { records, stride, axes } = result;
+  const [right, up] = axes;
   const rapids = new Path2D();
+  // Dashes of a way back would fill the gaps of the way there.
+  const drawn = new Set<string>();
+  const add = (from: Point, to: Point) => {
+    if (drawn.has(`${from} ${to}`) || drawn.has(`${to} ${from}`)) return;
+    drawn.add(`${from} ${to}`);
+    rapids.moveTo(...from);
+    rapids.lineTo(...to);
+  };
   // The first rapid is left out: it comes from where the tool stood before, which nobody knows.
   const first = records[FIELD.kind] === RAPID ? stride : 0;
   for (let at = first; at + stride <= records.length; at += stride) {
     if (records[at + FIELD.kind] !== RAPID) continue;
-    const [from, to] = [at + FIELD.from, at + FIELD.to];
-    rapids.moveTo(records[from + right] as number, records[from + up] as number);
-    rapids.lineTo(records[to + right] as number, records[to + up] as number);
+    const seen = (field: number): Point => [
+      records[at + field + right] as number,
+      records[at + field + up] as number,
+    ];
+    add(seen(FIELD.from), seen(FIELD.to));
   }
-  // Dashes of a way back would fill the gaps of the way there.
-  const drawn = new Set<string>();
-  for (const [from, to] of waysInPlane(result)) {
-    if (drawn.has(`${to} ${from}`)) continue;
-    drawn.add(`${from} ${to}`);
-    rapids.moveTo(...from);
-    rapids.lineTo(...to);
-  }
+  for (const [from, to] of waysInPlane(result)) add(from, to);
+  rapidShapes.set(result, rapids);
   return rapids;
 }
 
