@@ -5,6 +5,8 @@
 
 use std::sync::Arc;
 
+use glam::DVec3;
+
 use super::block::{Block, Word};
 use super::cursor::Cursor;
 use super::dialect::Dialect;
@@ -37,7 +39,7 @@ pub struct RunOptions {
     pub rules: Rules,
     /// Most blocks to be run, each as often as it is.
     pub most_blocks: u64,
-    /// Most blocks in a row that make neither moves nor words: a loop that only counts.
+    /// Most blocks in a row that leave the tool where it is: a loop that only counts.
     pub most_idle: u64,
     /// Most text to be read, each line as often as it is [bytes].
     pub most_text: u64,
@@ -141,8 +143,8 @@ pub struct Runner {
     /// Whether blocks of the program were called, which may stand behind its end.
     pub(super) calls_blocks: bool,
     pub(super) blocks: u64,
-    /// How many moves and words there are, and after how many blocks that last changed.
-    busy: (usize, u64),
+    /// Where the program is, and after how many blocks that last changed.
+    went: (DVec3, u64),
     text: u64,
     /// How far the text was read at least [bytes].
     farthest: usize,
@@ -177,7 +179,7 @@ impl Runner {
             numbered: None,
             calls_blocks: false,
             blocks: 0,
-            busy: (0, 0),
+            went: (DVec3::ZERO, 0),
             text: 0,
             farthest: 0,
             last: None,
@@ -376,17 +378,17 @@ impl Runner {
     /// Whether the run may go on; else it ends here.
     fn within_bounds(&mut self) -> bool {
         let options = &self.options;
-        let items = self.interpreter.len();
-        if items != self.busy.0 {
-            self.busy = (items, self.blocks);
+        let here = self.interpreter.modal.position;
+        if here != self.went.0 {
+            self.went = (here, self.blocks);
         }
         let message = if self.blocks > options.most_blocks {
             "the program runs too many blocks"
-        } else if self.blocks - self.busy.1 > options.most_idle {
+        } else if self.blocks - self.went.1 > options.most_idle {
             "the program runs too many blocks without a move"
         } else if self.text > options.most_text {
             "the program reads its lines too often"
-        } else if items > options.most_items {
+        } else if self.interpreter.len() > options.most_items {
             "the program makes too many moves"
         } else {
             return true;

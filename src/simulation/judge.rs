@@ -150,34 +150,26 @@ pub(super) fn judge_laps(
 /// Leaves out what is told of a lap and was told of one before: what is wrong with every lap is told of
 /// the first.
 fn leave_out_repeated(path: &mut ToolPath, tolerance: f64) {
-    let ToolPath { diagnostics, gouges, .. } = path;
     let mut told: Vec<(&str, DVec2)> = Vec::new();
-    let mut is_repeated = vec![false; gouges.len()];
+    let mut repeated = Vec::new();
     // Laps tell in one order, so what follows what was found last is looked at first.
-    let (mut next_told, mut next_gouge) = (0, 0);
-    diagnostics.retain(|found| {
-        let Some(at) = found.at.filter(|_| found.depth.is_some()) else { return true };
+    let mut next = 0;
+    path.diagnostics.retain(|found| {
+        let (Some(at), Some(depth)) = (found.at, found.depth) else { return true };
         let is_known =
             |&(code, place): &(&str, DVec2)| code == found.code && place.distance(at) <= tolerance;
-        let Some(known) = position_from(&told, next_told, &is_known) else {
-            told.push((found.code, at));
-            return true;
-        };
-        next_told = known + 1;
-        let is_of = |gouge: &Gouge| gouge.at == at && found.depth == Some(gouge.depth);
-        if let Some(index) = position_from(gouges, next_gouge, &is_of) {
-            is_repeated[index] = true;
-            next_gouge = index + 1;
+        if !told.get(next).is_some_and(is_known) {
+            let Some(index) = told.iter().position(is_known) else {
+                told.push((found.code, at));
+                return true;
+            };
+            next = index;
         }
+        next += 1;
+        repeated.push((at, depth));
         false
     });
-    let mut repeated = is_repeated.into_iter();
-    gouges.retain(|_| repeated.next() != Some(true));
-}
-
-/// The index of what `is` holds for, looked for from an index on and then before it.
-fn position_from<T>(all: &[T], from: usize, is: &dyn Fn(&T) -> bool) -> Option<usize> {
-    let (before, behind) = all.split_at(from.min(all.len()));
-    let found = behind.iter().position(is).map(|index| before.len() + index);
-    found.or_else(|| before.iter().position(is))
+    // They are in the order of what is told.
+    let mut repeated = repeated.into_iter().peekable();
+    path.gouges.retain(|gouge| repeated.next_if_eq(&(gouge.at, gouge.depth)).is_none());
 }

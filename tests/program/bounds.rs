@@ -61,6 +61,8 @@ fn a_loop_that_moves_nothing_ends_sooner() {
     };
     let endless = message("G0 X1\nN5 #1=#1+1\nIF [#1 GT 0] GOTO 5\nX2\nM30\n");
     assert_eq!(endless, "the program runs too many blocks without a move", "it only counts");
+    let arcs = message("G0 X1\no1 while [1]\nG3 R5\no1 endwhile\n");
+    assert_eq!(arcs, "the program runs too many blocks without a move", "arcs without a length");
     let counts = "G91 G0 X1\n#1=0\no1 while [#1 LT 150]\n#1=[#1+1]\no1 endwhile\nX1\n";
     assert_eq!(message(counts), "", "some calculation between moves");
 }
