@@ -3,7 +3,8 @@
 //! On the way from any place to the wall nearest to it there is a pass within the stepover, so with a
 //! stepover of at most the tool radius nothing within reach is left; with a wider one ridges may be.
 //! Every pass is offset from the contour itself, so errors do not add up. A pass may fall into
-//! several loops; each lies inside one loop of the pass before.
+//! several loops; each lies inside one loop of the pass before, and they are run room by room: where
+//! a pocket falls into rooms, the tool crosses from one to the next once and not with every pass.
 
 use glam::DVec2;
 
@@ -76,7 +77,45 @@ pub(super) fn pocket(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath {
         add_loops(&mut path, pass, before);
         before = first_loop;
     }
+    room_by_room(&mut path);
     path
+}
+
+/// Runs what lies in a loop right behind that loop.
+fn room_by_room(path: &mut ToolPath) {
+    const NONE: usize = usize::MAX;
+    let count = path.loops.len();
+    // The first loop in each, and at the end the first that is in none; and the next one in the same.
+    let (mut inside, mut next) = (vec![NONE; count + 1], vec![NONE; count]);
+    for (index, one) in path.loops.iter().enumerate().rev() {
+        let first = &mut inside[one.parent.unwrap_or(count)];
+        next[index] = std::mem::replace(first, index);
+    }
+    let moves = std::mem::take(&mut path.moves);
+    let loops = std::mem::take(&mut path.loops);
+    path.moves.reserve(moves.len());
+    // Where each loop went, for those that lie in it.
+    let mut placed = vec![NONE; count];
+    let mut waiting = vec![inside[count]];
+    while let Some(index) = waiting.pop() {
+        let Some(one) = loops.get(index) else { continue };
+        placed[index] = path.loops.len();
+        let first_move = path.moves.len();
+        path.moves.extend_from_slice(&moves[one.first_move..one.moves_end]);
+        let parent = one.parent.map(|parent| placed[parent]);
+        path.loops.push(PathLoop { first_move, moves_end: path.moves.len(), parent, ..*one });
+        waiting.extend([next[index], inside[index]]);
+    }
+    // Words stay behind the move that they follow; only the first pass has any.
+    for words in &mut path.words {
+        let is_last = |&(_, one): &(usize, &PathLoop)| one.moves_end >= words.before;
+        if let Some((index, one)) = loops.iter().enumerate().find(is_last)
+            && words.before > 0
+        {
+            let to = &path.loops[placed[index]];
+            words.before = to.first_move + words.before - one.first_move;
+        }
+    }
 }
 
 /// Whether a contour closes round the tool beside it.

@@ -74,7 +74,12 @@ fn a_pocket_with_a_waist_falls_into_two_with_one_parent() {
     assert_eq!((of(0).len(), of(1).len(), of(2).len()), (1, 2, 2), "loops: {:?}", path.loops);
     assert_eq!(of(1).iter().map(|one| one.parent).collect::<Vec<_>>(), [Some(0), Some(0)], "waist");
     let parents: Vec<_> = of(2).iter().map(|one| one.parent).collect();
-    assert_eq!(parents, [Some(1), Some(2)], "each in its own room: {:?}", path.loops);
+    assert_eq!(parents, [Some(1), Some(3)], "each in its own room: {:?}", path.loops);
+    let order: Vec<_> = path.loops.iter().map(|one| one.pass).collect();
+    assert_eq!(order, [0, 1, 2, 1, 2], "one room after the other");
+    let moves: Vec<_> = path.loops.iter().map(|one| [one.first_move, one.moves_end]).collect();
+    assert!(moves.windows(2).all(|pair| pair[0][1] == pair[1][0]), "without a gap: {moves:?}");
+    assert_eq!(moves[4][1], path.moves.len(), "all moves");
     assert_eq!(check(&rooms, &path, 3.0, 1e-3), [], "the judge");
 }
 

@@ -62,7 +62,7 @@ export interface CompensationOptions {
   /**
    * How many paths beside each other, with `gouge: "avoid"`: each is farther from the contour by
    * `stepover`, as far as there is room; `"all"` clears a pocket, a closed contour round the tool, with
-   * its islands. `loops` tells how the passes lie in each other. Default 1.
+   * its islands, room by room. `loops` tells how the passes lie in each other. Default 1.
    */
   passes?: number | "all";
   /**
