@@ -41,7 +41,7 @@ use self::units::{Job, Workpiece};
 use super::assemble::finest_tolerance;
 use super::path::PathBuilder;
 use super::{Options, SplineMethod};
-use crate::contour::{Contour, Tool, ToolPath};
+use crate::contour::{Contour, MoveCurve, Tool, ToolPath};
 use crate::diagnostic::{Diagnostic, Origin};
 use crate::geometry::{Curve, Decimal};
 
@@ -360,18 +360,18 @@ fn cut_out(
     let least = radius - slack;
     let finer = OFFSET_SHARE * tolerance;
     if fates.contains(&Fate::Open) {
-        let sources = work.refine(finer, tolerance, &|piece| fates[piece] == Fate::Open);
+        fates = work.refine(finer, tolerance, tree, &fates);
         let mut clearance = Clearance::new(work, tree, least);
-        let mut new = Vec::with_capacity(sources.len());
-        for (piece, source) in sources.into_iter().enumerate() {
-            new.push(match source {
-                // The one piece that there is still.
-                Ok(unit) if tree.unit(unit).fits && work.pieces_of(unit).len() == 1 => Fate::Open,
-                Ok(unit) => clearance.fate(&work.pieces[piece].curve, unit, 0.0),
-                Err(former) => fates[former],
-            });
+        for (piece, fate) in work.pieces.iter().zip(&mut fates) {
+            let unit = piece.unit as usize;
+            // Cubics are new, but for the one piece that there is still.
+            if *fate == Fate::Open
+                && matches!(work.curve(unit), Some(MoveCurve::Cubic(_)))
+                && !(tree.unit(unit).fits && work.pieces_of(unit).len() == 1)
+            {
+                *fate = clearance.fate(&piece.curve, unit, 0.0);
+            }
         }
-        fates = new;
     }
     let mut clearance = Clearance::new(work, tree, least);
     let survey = Survey { work, tree, fates: &fates, radius, tolerance: finer };

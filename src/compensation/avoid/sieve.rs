@@ -58,7 +58,7 @@ impl<'a> Clearance<'a> {
 
     /// The fate of a piece that may be too near, and is off by up to `rough` [mm].
     pub(super) fn fate(&mut self, curve: &MoveCurve, unit: usize, rough: f64) -> Fate {
-        if runs_back(self.work, unit, curve) || self.is_gouged(curve, rough) {
+        if self.runs_back(unit, curve) || self.is_gouged(curve, rough) {
             Fate::Gouged
         } else {
             Fate::Open
@@ -166,6 +166,26 @@ impl<'a> Clearance<'a> {
                 None => curve.nearest(point).distance < self.least,
             },
             _ => curve.nearest(point).distance < self.least,
+        }
+    }
+
+    /// Whether a piece of the offset runs against its span: beyond a cusp. There the distance from
+    /// the contour is greatest where the tool should touch it, so every place is too near; a crossing
+    /// there is none that the tool could take. Of a span that turns far it is not told.
+    fn runs_back(&self, unit: usize, curve: &MoveCurve) -> bool {
+        if self.work.units[unit].kind != Kind::Segment {
+            return false;
+        }
+        match (self.work.curve(unit), curve) {
+            (Some(MoveCurve::Cubic(span)), MoveCurve::Cubic(piece)) => {
+                let along = span.end() - span.start();
+                self.tree.unit(unit).octants.is_slender()
+                    && (piece.end() - piece.start()).dot(along) < 0.0
+            }
+            (Some(MoveCurve::Arc(arc)), MoveCurve::Arc(piece)) => {
+                (arc.start() - arc.center()).dot(piece.start() - piece.center()) < 0.0
+            }
+            _ => false,
         }
     }
 
@@ -278,30 +298,11 @@ pub(super) fn sieve(
         if !clearance.tree.unit(unit).fits
             && let Some(MoveCurve::Cubic(cubic)) = work.curve(unit)
         {
-            rough = tolerances(Octants::of_cubic(&cubic), tolerance).beside_cusps(&cubic);
+            rough = tolerances(clearance.tree.unit(unit).octants, tolerance).beside_cusps(&cubic);
         }
         for piece in pieces {
             fates[piece] = clearance.fate(&work.pieces[piece].curve, unit, rough);
         }
     }
     fates
-}
-
-/// Whether a piece of the offset runs against its span: beyond a cusp. There the distance from
-/// the contour is greatest where the tool should touch it, so every place is too near; a crossing
-/// there is none that the tool could take. Of a span that turns far it is not told.
-fn runs_back(work: &Workpiece, unit: usize, curve: &MoveCurve) -> bool {
-    if work.units[unit].kind != Kind::Segment {
-        return false;
-    }
-    match (work.curve(unit), curve) {
-        (Some(MoveCurve::Cubic(span)), MoveCurve::Cubic(piece)) => {
-            let along = span.end() - span.start();
-            Octants::of_cubic(&span).is_slender() && (piece.end() - piece.start()).dot(along) < 0.0
-        }
-        (Some(MoveCurve::Arc(arc)), MoveCurve::Arc(piece)) => {
-            (arc.start() - arc.center()).dot(piece.start() - piece.center()) < 0.0
-        }
-        _ => false,
-    }
 }

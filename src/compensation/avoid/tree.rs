@@ -378,8 +378,11 @@ impl Join<'_> {
         let below = &tree.levels[level - 1];
         for child in FAN * a..below.len().min(FAN * (a + 1)) {
             let node = &below[child];
-            let open =
-                [open[0] && self.reaches(node, node_b), open[1] && self.reaches(node_b, node)];
+            let is_suspect = self.marks.levels[level - 1][child] & SUSPECT != 0;
+            let open = [
+                open[0] && !is_suspect && self.reaches(node, node_b),
+                open[1] && self.reaches(node_b, node),
+            ];
             if open[0] || open[1] {
                 for other in FAN * b..below.len().min(FAN * (b + 1)) {
                     self.pair_if_news(level - 1, child, other, open);

@@ -8,8 +8,8 @@ use glam::DVec2;
 
 use super::octants::Octants;
 use super::points::{SHORTEST, ends, shaping, shaping_spans};
-use super::sieve::tolerances;
-use super::tree::{Node, Range};
+use super::sieve::{Fate, tolerances};
+use super::tree::{Node, OrderTree, Range};
 use crate::compensation::corner::classify_sharply;
 use crate::compensation::offset::{
     ArcOffset, Tolerances, offset_arc, offset_line, offset_span_roughly,
@@ -160,23 +160,24 @@ impl<'a> Workpiece<'a> {
         self.ranges[self.units[unit].job as usize]
     }
 
-    /// Offsets the spans again of which `pick` holds for a piece, within `tolerance` [mm], and joins
-    /// all pieces over gaps of up to `gap` [mm]. Returns for each piece the unit it is new for, or
-    /// its former index.
+    /// Offsets the spans again that have open pieces, within `tolerance` [mm], and joins
+    /// all pieces over gaps of up to `gap` [mm]. Returns what `fates` tells of each piece that is not
+    /// new, and [`Fate::Open`] for those that are.
     pub(super) fn refine(
         &mut self,
         tolerance: f64,
         gap: f64,
-        pick: &dyn Fn(usize) -> bool,
-    ) -> Vec<Result<usize, usize>> {
+        tree: &OrderTree,
+        fates: &[Fate],
+    ) -> Vec<Fate> {
         let former = std::mem::take(&mut self.pieces);
         self.pieces.reserve(former.len() + former.len() / 8);
-        let mut sources = Vec::with_capacity(former.len() + former.len() / 8);
+        let mut now = Vec::with_capacity(former.len() + former.len() / 8);
         let (mut from, mut scratch) = (0, Vec::new());
         let mut before = None;
         for unit in 0..self.units.len() {
             let to = self.units[unit].pieces_end as usize;
-            if (from..to).any(pick)
+            if fates[from..to].contains(&Fate::Open)
                 && let Some(MoveCurve::Cubic(cubic)) = self.curve(unit)
             {
                 let offset = self.jobs[self.units[unit].job as usize].tool.offset();
@@ -186,19 +187,17 @@ impl<'a> Workpiece<'a> {
                     last.kind == Kind::Segment && last.segment == this.segment
                 };
                 scratch.clear();
-                let tolerances = Tolerances {
-                    roughness: 0.0,
-                    ..tolerances(Octants::of_cubic(&cubic), tolerance)
-                };
+                let tolerances =
+                    Tolerances { roughness: 0.0, ..tolerances(tree.unit(unit).octants, tolerance) };
                 let before = before.filter(|_| inside);
                 offset_span_roughly(&cubic, offset, tolerances, before, &mut scratch);
                 for &curve in &scratch {
                     self.pieces.push(Piece { curve, unit: index(unit), next: NONE });
-                    sources.push(Ok(unit));
+                    now.push(Fate::Open);
                 }
             } else {
                 self.pieces.extend_from_slice(&former[from..to]);
-                sources.extend((from..to).map(Err));
+                now.extend_from_slice(&fates[from..to]);
             }
             if to > from {
                 before = Some(former[to - 1].curve.end());
@@ -209,7 +208,7 @@ impl<'a> Workpiece<'a> {
         for range in self.ranges.clone() {
             self.join(range, gap);
         }
-        sources
+        now
     }
 
     /// Joins the pieces of one contour.
