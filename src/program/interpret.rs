@@ -277,7 +277,10 @@ impl Interpreter {
         for (_, word) in words.unused() {
             let code = "word-not-understood";
             let number = Decimal::of(word.value);
-            let message = format!("the word {}{number} is not understood here", word.letter);
+            // Small letters are those behind a comma.
+            let comma = if word.letter.is_ascii_lowercase() { "," } else { "" };
+            let letter = word.letter.to_ascii_uppercase();
+            let message = format!("the word {comma}{letter}{number} is not understood here");
             let at = block.origin_at(word.column);
             if self.rules.is_strict {
                 self.fault = Some(fault(code, message, at));

@@ -11,6 +11,13 @@ use super::sample::{
 };
 
 #[test]
+fn words_are_named_as_they_are_written() {
+    let read = read_as_fanuc("G0 X0. Y0.\nG1 X20. ,A45. F100\n");
+    let told: Vec<_> = read.diagnostics.iter().map(|found| found.message.as_str()).collect();
+    assert_eq!(told, ["the word ,A45 is not understood here"], "with the comma");
+}
+
+#[test]
 fn every_fault_is_reported_with_its_line_and_column() {
     for (text, code, severity, column) in [
         ("G1 X1 Q5 F1", "word-not-understood", ERROR, Some(7)),
