@@ -7,7 +7,7 @@
 use super::{Bounds, sort_pairs};
 
 /// Boxes of one node.
-const FAN: usize = 4;
+pub const FAN: usize = 4;
 
 /// The level whose boxes, each of 64 that follow each other, tell whether the order is good.
 ///
@@ -69,32 +69,43 @@ impl BoxTree {
     /// Calls `visit` with the index of every box that meets `bounds`, until it returns false; returns
     /// whether it never did.
     pub fn meeting(&self, bounds: &Bounds, visit: &mut dyn FnMut(usize) -> bool) -> bool {
-        self.below(self.levels.len() - 1, 0, bounds, visit)
+        let visit = &mut |index| visit(self.order.get(index).map_or(index, |sorted| sorted.1));
+        visit_leaves(&self.levels, &|around: &Bounds| around.meets(bounds), visit)
     }
+}
 
-    /// Visits what is below some boxes that follow each other; returns whether to go on.
-    fn below(
-        &self,
-        level: usize,
-        from: usize,
-        bounds: &Bounds,
-        visit: &mut dyn FnMut(usize) -> bool,
-    ) -> bool {
-        let boxes = &self.levels[level];
-        for (index, around) in (from..).zip(&boxes[from..boxes.len().min(from + FAN)]) {
-            if around.meets(bounds) {
-                let goes_on = if level == 0 {
-                    visit(self.order.get(index).map_or(index, |sorted| sorted.1))
-                } else {
-                    self.below(level - 1, FAN * index, bounds, visit)
-                };
-                if !goes_on {
-                    return false;
-                }
+/// Calls `visit` with the index of every leaf of a tree that `holds` is true of, and of all that it is
+/// part of, in order and until it returns false; returns whether it never did. The levels are the leaves,
+/// groups of [`FAN`] of them, and so on to the root.
+pub fn visit_leaves<T>(
+    levels: &[Vec<T>],
+    holds: &impl Fn(&T) -> bool,
+    visit: &mut dyn FnMut(usize) -> bool,
+) -> bool {
+    visit_below(levels, 0, holds, visit)
+}
+
+/// The same below some nodes that follow each other on the highest level.
+fn visit_below<T>(
+    levels: &[Vec<T>],
+    from: usize,
+    holds: &impl Fn(&T) -> bool,
+    visit: &mut dyn FnMut(usize) -> bool,
+) -> bool {
+    let Some((nodes, below)) = levels.split_last() else { return true };
+    for (index, node) in (from..).zip(&nodes[from..nodes.len().min(from + FAN)]) {
+        if holds(node) {
+            let goes_on = if below.is_empty() {
+                visit(index)
+            } else {
+                visit_below(below, FAN * index, holds, visit)
+            };
+            if !goes_on {
+                return false;
             }
         }
-        true
     }
+    true
 }
 
 /// Whether boxes lie over each other so often that they are to be sorted; `around` is the one around

@@ -37,7 +37,7 @@ pub use arc::{Arc, RadiusForm};
 pub use arc_fit::{ArcOrLine, fit_arcs};
 pub use bernstein::{halve, roots};
 pub use bounds::Bounds;
-pub use box_tree::{BoxTree, TOLD_BY, is_tangled};
+pub use box_tree::{BoxTree, FAN, TOLD_BY, is_tangled, visit_leaves};
 pub use corner_cut::{CornerCut, CornerMeasure, CornerSize, cut_corner};
 pub use cubic::Cubic;
 pub use curve::{Curve, CurveError, MAX_COORDINATE, MIN_LENGTH, in_range};

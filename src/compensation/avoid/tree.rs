@@ -14,10 +14,7 @@
 //! to `r tan(φ/2) ≤ r sin φ` beyond it.
 
 use super::octants::Octants;
-use crate::geometry::{Bounds, BoxTree, TOLD_BY, is_tangled};
-
-/// Children of a node.
-const FAN: usize = 4;
+use crate::geometry::{Bounds, BoxTree, FAN, TOLD_BY, is_tangled, visit_leaves};
 
 /// What is known of a unit, or of successive ones.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -180,57 +177,16 @@ impl OrderTree {
         let visit = &mut |unit| is_far(unit) || visit(unit);
         match &self.contours {
             Some(contours) => contours.meeting(&around, visit),
-            None => self.near_below(self.levels.len() - 1, 0, &around, visit),
+            None => visit_leaves(&self.levels, &|node: &Node| node.contour.meets(&around), visit),
         }
-    }
-
-    /// Visits the units below some nodes that follow each other, where their contours' boxes meet
-    /// `bounds`; returns whether to go on.
-    fn near_below(
-        &self,
-        level: usize,
-        from: usize,
-        bounds: &Bounds,
-        visit: &mut dyn FnMut(usize) -> bool,
-    ) -> bool {
-        let nodes = &self.levels[level];
-        for (index, node) in (from..).zip(&nodes[from..nodes.len().min(from + FAN)]) {
-            if node.contour.meets(bounds) {
-                let goes_on = if level == 0 {
-                    visit(index)
-                } else {
-                    self.near_below(level - 1, FAN * index, bounds, visit)
-                };
-                if !goes_on {
-                    return false;
-                }
-            }
-        }
-        true
     }
 
     /// Calls `visit` with every unit that `holds` is true of, and of all that it is part of, in order.
     pub(super) fn each(&self, holds: &dyn Fn(&Node) -> bool, visit: &mut dyn FnMut(usize)) {
-        self.each_below(self.levels.len() - 1, 0, holds, visit);
-    }
-
-    fn each_below(
-        &self,
-        level: usize,
-        from: usize,
-        holds: &dyn Fn(&Node) -> bool,
-        visit: &mut dyn FnMut(usize),
-    ) {
-        let nodes = &self.levels[level];
-        for (index, node) in (from..).zip(&nodes[from..nodes.len().min(from + FAN)]) {
-            if holds(node) {
-                if level == 0 {
-                    visit(index);
-                } else {
-                    self.each_below(level - 1, FAN * index, holds, visit);
-                }
-            }
-        }
+        visit_leaves(&self.levels, &holds, &mut |unit| {
+            visit(unit);
+            true
+        });
     }
 
     /// Where the contour heads along a stretch of units, if all of them fit.
