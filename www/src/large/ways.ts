@@ -6,7 +6,18 @@ import { FIELD, MoveRole, RAPID, type Result } from "../result";
 import type { Point3 } from "../space/strokes";
 
 /** Nearer than this a move begins where the one before it ends [mm]. */
-const GAP = 1e-6;
+export const GAP = 1e-6;
+
+/** The place that a field names in the record that begins at an index. */
+export function placeOf(records: Float64Array, index: number, field: number): Point3 {
+  const at = index + field;
+  return [records[at] as number, records[at + 1] as number, records[at + 2] as number];
+}
+
+/** How far one place is from another [mm]. */
+export function away(a: Point3, b: Point3): number {
+  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+}
 
 /** A way above the part. */
 export interface Way {
@@ -29,11 +40,8 @@ export class WayFinder {
 
   /** Looks at the move whose record begins at an index. */
   look(records: Float64Array, index: number): void {
-    const place = (field: number): Point3 => {
-      const at = index + field;
-      return [records[at] as number, records[at + 1] as number, records[at + 2] as number];
-    };
-    const [from, to] = [place(FIELD.from), place(FIELD.to)];
+    const from = placeOf(records, index, FIELD.from);
+    const to = placeOf(records, index, FIELD.to);
     this.#isStated ||= from[2] !== to[2];
     if (this.#isStated && records[index + FIELD.kind] === RAPID) {
       this.#clear = Math.max(this.#clear, to[2]);
@@ -42,7 +50,7 @@ export class WayFinder {
     this.#at = to;
     // Between moves that are not compensated no way is made: words gave the coordinates other numbers.
     if (!at || records[index + FIELD.role] === MoveRole.Free) return;
-    if (Math.hypot(from[0] - at[0], from[1] - at[1], from[2] - at[2]) <= GAP) return;
+    if (away(from, at) <= GAP) return;
     const line = records[index + FIELD.block] as number;
     this.#found.push({ from: at, to: from, line: Number.isNaN(line) ? 0 : line });
   }

@@ -2,11 +2,10 @@
 // their samples to the move that follows. Here they become moves of their own.
 
 import { type Limits, RECORD_STRIDE } from "g41";
+import { away, GAP, placeOf } from "../large/ways";
 import { FIELD, RAPID } from "../result";
+import type { Point3 } from "../space/strokes";
 import type { MotionData } from "./protocol";
-
-/** Nearer than this a move begins where the one before it ends [mm]. */
-const GAP = 1e-6;
 
 /** What is known of the moves of a plan. */
 export type PlannedMoves = Pick<MotionData, "block" | "feeds" | "rapid" | "lines">;
@@ -35,8 +34,9 @@ export function withWays(
     for (; known < move; known += 1) {
       if (goesDown(records, known)) plunge = moves.feeds[known];
     }
-    const from = place(records, move, FIELD.from);
-    if (move === 0 || away(from, place(records, move - 1, FIELD.to)) <= GAP) continue;
+    const from = placeOf(records, move * RECORD_STRIDE, FIELD.from);
+    if (move === 0 || away(from, placeOf(records, (move - 1) * RECORD_STRIDE, FIELD.to)) <= GAP)
+      continue;
     const [down, last] = parts(samples, [first, end], from, limits);
     const line = moves.lines[move] as number;
     const feed = plunge ?? (moves.feeds[move] as number);
@@ -58,7 +58,7 @@ export function withWays(
 function parts(
   { x, y, z }: Pick<MotionData, "x" | "y" | "z">,
   [first, end]: readonly [number, number],
-  from: Place,
+  from: Point3,
   { cornerDeviation: deviation = 0, velocity, period }: Limits,
 ): [down: number, last: number] {
   // Corners are rounded, so that it comes by only as near as that, and as far as a sample may be off.
@@ -78,19 +78,9 @@ function parts(
   return [down, last];
 }
 
-type Place = readonly [x: number, y: number, z: number];
-
-function place(records: Float64Array, move: number, field: number): Place {
-  const at = move * RECORD_STRIDE + field;
-  return [records[at] as number, records[at + 1] as number, records[at + 2] as number];
-}
-
-function away(a: Place, b: Place): number {
-  return Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-}
-
 function goesDown(records: Float64Array, move: number): boolean {
-  const [from, to] = [place(records, move, FIELD.from), place(records, move, FIELD.to)];
-  const isRapid = records[move * RECORD_STRIDE + FIELD.kind] === RAPID;
+  const index = move * RECORD_STRIDE;
+  const [from, to] = [placeOf(records, index, FIELD.from), placeOf(records, index, FIELD.to)];
+  const isRapid = records[index + FIELD.kind] === RAPID;
   return !isRapid && to[2] < from[2] && to[0] === from[0] && to[1] === from[1];
 }
