@@ -334,8 +334,6 @@ fn a_room_behind_a_corridor_is_crossed_to_above_the_part() {
     assert_eq!(codes, ["no-clearance"], "it comes at the height 0 only: {}", written.text);
 }
 
-/// Inverse-time feed (G93): the moves of each block take as long as it says, whatever
-/// compensation has made of them.
 #[test]
 fn words_stay_behind_their_move_where_a_pocket_is_cleared_room_by_room() {
     // Three rooms, and M8 in the last but one; with one pass the tool is too wide for the corridors.
@@ -362,6 +360,24 @@ fn words_stay_behind_their_move_where_a_pocket_is_cleared_room_by_room() {
     );
 }
 
+#[test]
+fn a_pocket_is_cleared_without_lifting_the_tool() {
+    let text = "G21 G90\nG0 X20 Y10 Z5\nG1 Z-2 F120\nG41 D1 X20 Y0 F400\nX40\nY30\nX0\nY0\nX20\n\
+                G40 X20 Y10\nG0 Z5\n";
+    let read = interpret(&Program::parse(text, Dialect::Auto), Rules::default());
+    let passes = Passes::All { stepover: 3.0 };
+    let options = Options { gouge: GougePolicy::Avoid, passes, ..Options::default() };
+    let path = compensate_program(&read, &Tools::all(3.0), &options);
+    let written = emit(&path, &EmitOptions { explain: true, ..EmitOptions::default() });
+    assert_eq!(written.diagnostics, [], "{}", written.text);
+    // 40 by 30 mm: walls at 3, 6, 9 and 12 mm, and at 15 mm there and back along a line.
+    assert_eq!(written.text.matches("(link: to the next pass)").count(), 4, "{}", written.text);
+    assert_eq!(written.text.matches('Z').count(), 3, "down once and up once: {}", written.text);
+    assert!(written.text.contains("Y6\nX34\nY24\nX6\nY6\nX20\n"), "{}", written.text);
+}
+
+/// Inverse-time feed (G93): the moves of each block take as long as it says, whatever
+/// compensation has made of them.
 #[test]
 fn the_moves_of_a_block_together_take_the_time_that_it_says() {
     let text = "G21 G0 X-20 Y0 Z5\nG93 G1 Z0 F4\nG42 D1 X0 F2\nX40 F1\nY20 F0.5\nG1 Z-1 F8\n\

@@ -13,6 +13,7 @@ mod avoid;
 mod beyond;
 mod corner;
 mod lead;
+mod links;
 mod live;
 mod lookahead;
 mod meet;

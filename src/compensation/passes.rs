@@ -4,11 +4,13 @@
 //! stepover of at most the tool radius nothing within reach is left; with a wider one ridges may be.
 //! Every pass is offset from the contour itself, so errors do not add up. A pass may fall into
 //! several loops; each lies inside one loop of the pass before, and they are run room by room: where
-//! a pocket falls into rooms, the tool crosses from one to the next once and not with every pass.
+//! a pocket falls into rooms, the tool crosses from one to the next once and not with every pass. Inside
+//! a room it stays down where it can.
 
 use glam::DVec2;
 
 use super::avoid::avoid_all;
+use super::links::Links;
 use super::{Options, Passes};
 use crate::contour::{Contour, MoveCurve, PathLoop, Tool, ToolPath};
 use crate::diagnostic::Diagnostic;
@@ -21,7 +23,7 @@ const MOST: u32 = 10_000;
 const COARSE: f64 = 0.01;
 
 /// Farthest that two moves of one loop may be apart [mm].
-const GAP: f64 = 1e-6;
+pub(super) const GAP: f64 = 1e-6;
 
 /// All passes along `jobs`, loop by loop.
 pub(super) fn pocket(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath {
@@ -77,12 +79,12 @@ pub(super) fn pocket(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath {
         add_loops(&mut path, pass, before);
         before = first_loop;
     }
-    room_by_room(&mut path);
+    room_by_room(&mut path, &Links { jobs, options, stepover });
     path
 }
 
-/// Runs what lies in a loop right behind that loop.
-fn room_by_room(path: &mut ToolPath) {
+/// Runs what lies in a loop right behind that loop, linked to it where the tool can stay down.
+fn room_by_room(path: &mut ToolPath, links: &Links<'_>) {
     const NONE: usize = usize::MAX;
     let count = path.loops.len();
     // The first loop in each, and at the end the first that is in none; and the next one in the same.
@@ -100,16 +102,23 @@ fn room_by_room(path: &mut ToolPath) {
     while let Some(index) = waiting.pop() {
         let Some(one) = loops.get(index) else { continue };
         placed[index] = path.loops.len();
-        let first_move = path.moves.len();
-        path.moves.extend_from_slice(&moves[one.first_move..one.moves_end]);
+        let own = &moves[one.first_move..one.moves_end];
         let parent = one.parent.map(|parent| placed[parent]);
+        let follows = parent.is_some_and(|parent| parent + 1 == path.loops.len());
+        let mut first_move = path.moves.len();
+        if follows && links.link(&mut path.moves, one.pass, own) {
+            // The link is part of neither loop.
+            first_move += 1;
+        } else {
+            path.moves.extend_from_slice(own);
+        }
         path.loops.push(PathLoop { first_move, moves_end: path.moves.len(), parent, ..*one });
         waiting.extend([next[index], inside[index]]);
     }
     // Words stay behind the move that they follow; only the first pass has any.
     for words in &mut path.words {
-        let is_last = |&(_, one): &(usize, &PathLoop)| one.moves_end >= words.before;
-        if let Some((index, one)) = loops.iter().enumerate().find(is_last)
+        let index = loops.partition_point(|one| one.moves_end < words.before);
+        if let Some(one) = loops.get(index)
             && words.before > 0
         {
             let to = &path.loops[placed[index]];

@@ -165,6 +165,8 @@ pub enum Role {
     LeadOut,
     /// It is not compensated.
     Free,
+    /// It leads from one pass to the next, down as the tool is.
+    Link,
 }
 
 /// One move of the tool centre.

@@ -51,6 +51,7 @@ fn record(step: &Move, numbering: &Numbering) -> [f64; STRIDE] {
         Role::LeadIn => 2.0,
         Role::LeadOut => 3.0,
         Role::Free => 4.0,
+        Role::Link => 5.0,
     };
     let from = plane.place(curve.start(), heights[0]);
     let to = plane.place(curve.end(), heights[1]);

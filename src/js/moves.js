@@ -26,7 +26,7 @@ export const axes = /** @type {const} */ ([
 ]);
 
 /** @type {readonly Role[]} */
-const roles = ["segment", "transition", "lead-in", "lead-out", "free"];
+const roles = ["segment", "transition", "lead-in", "lead-out", "free", "link"];
 
 /**
  * @param {Float64Array} records

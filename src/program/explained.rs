@@ -32,6 +32,7 @@ impl<'a> Explanations<'a> {
             Role::Segment | Role::Free => None,
             Role::LeadIn => Some("lead-in: compensation is switched on".into()),
             Role::LeadOut => Some("lead-out: compensation is switched off".into()),
+            Role::Link => Some("link: to the next pass".into()),
             Role::Transition => Some(self.transition(next)),
         }
     }

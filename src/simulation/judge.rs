@@ -112,7 +112,7 @@ pub(super) fn tell_gouges(
 ) {
     let mut own = Vec::with_capacity(path.moves.len());
     for step in &path.moves {
-        if matches!(step.role, Role::Segment | Role::Transition) {
+        if matches!(step.role, Role::Segment | Role::Transition | Role::Link) {
             own.push(*step);
         }
     }

@@ -1,13 +1,15 @@
 //! Several passes: a pocket is cleared by paths beside each other, and their nesting is told.
 
 use g41::compensation::{CornerStyle, GougePolicy, Options, Passes, compensate_all};
-use g41::contour::{Contour, PathLoop, Role, Side, Tool, ToolPath};
+use g41::contour::{Contour, MoveCurve, PathLoop, Role, Side, Tool, ToolPath};
 use g41::gouge::check;
+use glam::DVec2;
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
 use super::judge::samples;
 use super::sketch::{Sketch, arc, line};
+use crate::common::random::Random;
 use crate::common::{near, p};
 
 fn polygon(points: &[(f64, f64)]) -> Contour {
@@ -29,6 +31,19 @@ fn cleared(contours: &[&Contour], radius: f64, passes: Passes) -> ToolPath {
 
 fn length(path: &ToolPath, one: &PathLoop) -> f64 {
     path.moves[one.first_move..one.moves_end].iter().map(|one| one.curve.length()).sum()
+}
+
+/// The moves that do not begin where the one before ends.
+fn gaps(path: &ToolPath) -> Vec<usize> {
+    let jumps = |&i: &usize| {
+        path.moves[i - 1].curve.end().distance(path.moves[i].curve.start()) > 1e-6
+            || path.moves[i - 1].heights[1] != path.moves[i].heights[0]
+    };
+    (1..path.moves.len()).filter(jumps).collect()
+}
+
+fn links(path: &ToolPath) -> Vec<MoveCurve> {
+    path.moves.iter().filter(|one| one.role == Role::Link).map(|one| one.curve).collect()
 }
 
 #[test]
@@ -78,7 +93,13 @@ fn a_pocket_with_a_waist_falls_into_two_with_one_parent() {
     let order: Vec<_> = path.loops.iter().map(|one| one.pass).collect();
     assert_eq!(order, [0, 1, 2, 1, 2], "one room after the other");
     let moves: Vec<_> = path.loops.iter().map(|one| [one.first_move, one.moves_end]).collect();
-    assert!(moves.windows(2).all(|pair| pair[0][1] == pair[1][0]), "without a gap: {moves:?}");
+    let between: Vec<_> = moves.windows(2).map(|pair| pair[1][0] - pair[0][1]).collect();
+    assert_eq!(
+        between,
+        [1, 1, 0, 1],
+        "a link to each loop but the one in the other room: {moves:?}"
+    );
+    assert_eq!(gaps(&path), [moves[3][0]], "up and across to the other room only");
     assert_eq!(moves[4][1], path.moves.len(), "all moves");
     assert_eq!(check(&rooms, &path, 3.0, 1e-3), [], "the judge");
 }
@@ -123,6 +144,59 @@ fn a_loop_that_bulges_out_of_the_one_before_has_it_for_its_parent() {
         let before = one.parent.map(|index| path.loops[index].pass + 1);
         assert_eq!(before, Some(one.pass), "{one:?}");
     }
+}
+
+#[test]
+fn the_tool_stays_down_from_pass_to_pass() {
+    // From the middle of a side each pass begins in the middle of that side.
+    let points = [(20.0, 0.0), (40.0, 0.0), (40.0, 40.0), (0.0, 40.0), (0.0, 0.0)];
+    let sides = polygon(&points);
+    let path = cleared(&[&sides], 3.0, Passes::All { stepover: 4.0 });
+    assert_eq!(gaps(&path), [], "without a gap");
+    let ends: Vec<_> = links(&path).iter().map(|one| [one.start(), one.end()]).collect();
+    assert_eq!(ends.len(), 4, "{ends:?}");
+    for (k, [from, to]) in (0..).zip(ends) {
+        let y = 3.0 + 4.0 * f64::from(k);
+        near(from.distance(p(20.0, y)), 0.0, 1e-9, "from the end of the pass before");
+        near(to.distance(p(20.0, y + 4.0)), 0.0, 1e-9, "to the nearest place of the next");
+    }
+    for (k, one) in path.loops.iter().enumerate() {
+        let from_wall = 3.0 + 4.0 * k as f64;
+        near(length(&path, one), 4.0 * (40.0 - 2.0 * from_wall), 1e-6, "all of the square");
+    }
+    assert_eq!(check(&sides, &path, 3.0, 1e-3), [], "the judge");
+}
+
+#[test]
+fn a_link_cuts_no_wall() {
+    let mut random = Random::new(41);
+    let (mut down, mut up) = (0, 0);
+    let cases = if cfg!(target_arch = "wasm32") { 40 } else { 400 };
+    for case in 0..cases {
+        // A star, with an island in some.
+        let count = 5 + random.index(9);
+        let mut corner = |i: usize, most: f64| {
+            let angle = std::f64::consts::TAU * i as f64 / count as f64;
+            let radius = most * random.within(0.3, 1.0);
+            let at = radius * DVec2::from_angle(angle);
+            (at.x, at.y)
+        };
+        let outside: Vec<_> = (0..count).map(|i| corner(i, 40.0)).collect();
+        let inside: Vec<_> = (0..count).rev().map(|i| corner(i, 8.0)).collect();
+        let (pocket, island) = (polygon(&outside), polygon(&inside));
+        let contours = if case % 3 == 0 { vec![&pocket, &island] } else { vec![&pocket] };
+        let radius = random.within(0.5, 3.0);
+        let stepover = radius * random.within(0.3, 1.9);
+        let path = cleared(&contours, radius, Passes::All { stepover });
+        for contour in contours {
+            assert_eq!(check(contour, &path, radius, 1e-3), [], "case {case}");
+        }
+        let ends = path.loops.last().map_or(0, |last| last.moves_end);
+        assert_eq!(ends, path.moves.len(), "case {case}: no link leads nowhere");
+        down += links(&path).len();
+        up += gaps(&path).len();
+    }
+    assert!(down > up, "down {down} times, up {up} times");
 }
 
 #[test]

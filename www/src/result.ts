@@ -103,6 +103,7 @@ export enum MoveRole {
   LeadIn = 2,
   LeadOut = 3,
   Free = 4,
+  Link = 5,
 }
 
 /** Places of numbers in one record. */

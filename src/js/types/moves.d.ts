@@ -4,8 +4,11 @@ import type { Origin } from "./reports.js";
 /** A point in space, `[x, y, z]` [mm]. */
 export type Point3 = readonly [x: number, y: number, z: number];
 
-/** What a move is there for; `"free"` moves are not compensated. */
-export type Role = "segment" | "transition" | "lead-in" | "lead-out" | "free";
+/**
+ * What a move is there for; `"free"` moves are not compensated, `"link"` leads from one pass to the next,
+ * down as the tool is.
+ */
+export type Role = "segment" | "transition" | "lead-in" | "lead-out" | "free" | "link";
 
 /** What every move has. */
 export interface MoveBase {

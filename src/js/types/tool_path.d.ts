@@ -73,7 +73,7 @@ export class ToolPath {
    * | index | number |
    * | --- | --- |
    * | 0 | kind: 0 rapid, 1 line, 2 arc, 3 cubic, 4 involute |
-   * | 1 | role: 0 segment, 1 transition, 2 lead-in, 3 lead-out, 4 free |
+   * | 1 | role: 0 segment, 1 transition, 2 lead-in, 3 lead-out, 4 free, 5 link |
    * | 2 | plane: 0 xy, 1 xz, 2 yz; its two axes are x y, z x and y z |
    * | 3 | feed [mm/min], NaN where none is programmed |
    * | 4, 5, 6 | block, N word, column of the origin; NaN where there is none |

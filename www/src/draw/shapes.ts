@@ -1,6 +1,7 @@
 // Path2D objects of a result in millimetres, made once and kept as long as the result.
 
 import type { Point } from "../geometry";
+import { kindOf } from "../large/strokes";
 import { waysInPlane } from "../large/ways";
 import type { LivePicture } from "../live/picture";
 import {
@@ -9,7 +10,6 @@ import {
   forRuns,
   type Lines,
   lineOfMove,
-  MoveRole,
   RAPID,
   type Result,
   roleOf,
@@ -206,11 +206,10 @@ function cutRuns(result: Result): readonly CutRun[] {
   const list: CutRun[] = [];
   let [line, at] = [undefined as number | undefined, 0];
   forRuns(result.path, (move, first, last) => {
-    const role = roleOf(result, move);
+    const kind = kindOf(roleOf(result, move));
     const own = lineOfMove(result, move);
     if (own !== line) [line, at] = [own, contourAt(result, own)];
-    const cuts = role === MoveRole.Segment || role === MoveRole.Transition;
-    const contour = cuts ? at : role === MoveRole.Free ? FREE : LEAD;
+    const contour = kind === "cut" ? at : kind === "free" ? FREE : LEAD;
     const end = list.at(-1);
     // A run that goes on where the one before it ended is joined to it, for the sake of line joins.
     if (contour !== LEAD && end?.contour === contour && end.last === first) {

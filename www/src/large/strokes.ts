@@ -127,7 +127,7 @@ export function strokesOf(program: Program, path: ToolPath, moves: Moves): Strok
 /** What the line of a move is, by what it is there for. */
 export function kindOf(role: MoveRole): "free" | "lead" | "cut" {
   if (role === MoveRole.Free) return "free";
-  return role === MoveRole.Segment || role === MoveRole.Transition ? "cut" : "lead";
+  return role === MoveRole.LeadIn || role === MoveRole.LeadOut ? "lead" : "cut";
 }
 
 function rapidStrokes(moves: Moves): Strokes {
