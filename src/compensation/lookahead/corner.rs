@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use super::Refused;
+use super::{Refused, SAME_LENGTH};
 use crate::geometry::{direction, perp};
 
 /// The offset of a segment.
@@ -30,6 +30,8 @@ pub(super) enum Flank {
 pub(super) struct InsideCorner {
     pub(super) point: DVec2,
     pub(super) tool_radius: f64,
+    /// Whether that is from a table.
+    pub(super) is_listed: bool,
     pub(super) tangents: [DVec2; 2],
     pub(super) normals: [DVec2; 2],
 }
@@ -91,9 +93,10 @@ impl InsideCorner {
         let to_center = direction(center - self.point).unwrap_or_default();
         let height = self.tool_radius - own * normal.dot(to_center);
         let squared = radius * radius - height * height;
-        if squared < 0.0 {
+        // What it just touches it meets, with the radius from a table, which is a trifle smaller.
+        if squared < if self.is_listed { -SAME_LENGTH * radius } else { 0.0 } {
             return Err(NO_ROOM);
         }
-        Ok(center + normal * height + tangent * (sense * squared.sqrt()))
+        Ok(center + normal * height + tangent * (sense * squared.max(0.0).sqrt()))
     }
 }

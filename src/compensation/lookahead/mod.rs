@@ -309,6 +309,7 @@ impl<'a> Control<'a> {
                 let inside = InsideCorner {
                     point: corner,
                     tool_radius: self.tool.radius(),
+                    is_listed: self.passage.is_listed,
                     tangents: [incoming, outgoing.tangent],
                     normals: [incoming_normal, outgoing.normal],
                 };
