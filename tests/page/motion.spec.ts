@@ -93,7 +93,7 @@ test("limits, override and method change the time, and are kept over a reload", 
   await enter(page, "Jerk in mm/s³", "5000");
   const slow = await time(page, "Cycle time");
   expect(slow).toBeGreaterThan(1.2 * before);
-  await expect(page.getByRole("img", { name: /^Jerk: .*limit 5 ?000 mm/ })).toBeVisible();
+  await expect(page.getByRole("img", { name: /^Jerk: .*limit 5,000 mm/ })).toBeVisible();
   await page.getByRole("combobox", { name: "Machine" }).selectOption("Fast machine");
   await page.waitForTimeout(200);
   await planned(page);
@@ -412,10 +412,10 @@ test("between two pieces the tool flies, by the feed of a rapid move, and goes d
     await slider.fill(String(step));
     const place = (await page.locator("#readout").textContent()) ?? "";
     const [x = 0, , z = 0] = (place.match(/-?[\d.]+/g) ?? []).map(Number);
-    const limit = /of ([\d ]+) mm\/min/.exec((await feed.textContent()) ?? "")?.[1] ?? "";
+    const limit = /of ([\d,]+) mm\/min/.exec((await feed.textContent()) ?? "")?.[1] ?? "";
     if (z > 4.99 && x > 30 && x < 60) seen.set("across", limit);
     if (z < 4.9 && x > 66) seen.set("down", limit);
   }
-  expect(Object.fromEntries(seen)).toEqual({ across: "12 000", down: "120" });
+  expect(Object.fromEntries(seen)).toEqual({ across: "12,000", down: "120" });
   expect(g41.errors).toEqual([]);
 });

@@ -1,6 +1,6 @@
 // Counts in words: how many of what there are.
 
-/** A count, its digits in groups of three: 11,399. */
+/** A whole number, its digits in groups of three: 11,399. */
 export function grouped(count: number): string {
   return count.toLocaleString("en");
 }

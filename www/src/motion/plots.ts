@@ -2,6 +2,7 @@
 
 import uPlot from "uplot";
 import "uplot/dist/uPlot.min.css";
+import { grouped } from "../counts";
 import { element } from "../panels/elements";
 import type { MotionData } from "./protocol";
 import { curves, indexAt } from "./samples";
@@ -421,7 +422,7 @@ export function rounded(value: number): string {
   const digits = size >= 1000 || size < 1e-9 ? 0 : Math.max(0, 2 - Math.floor(Math.log10(size)));
   const text = size < 1e-6 ? "0" : value.toFixed(Math.min(6, digits));
   const plain = text.includes(".") ? text.replace(/\.?0+$/, "") : text;
-  return plain.replace("-", "−").replace(/\B(?=(\d{3})+$)/g, plain.includes(".") ? "" : " ");
+  return (plain.includes(".") ? plain : grouped(Number(plain))).replace("-", "−");
 }
 
 /** A number of an axis in few letters. */
