@@ -99,7 +99,7 @@ fn a_pocket_with_a_waist_falls_into_two_with_one_parent() {
         [1, 1, 0, 1],
         "a link to each loop but the one in the other room: {moves:?}"
     );
-    assert_eq!(gaps(&path), [moves[3][0]], "up and across to the other room only");
+    assert_eq!(gaps(&path), vec![moves[3][0]], "up and across to the other room only");
     assert_eq!(moves[4][1], path.moves.len(), "all moves");
     assert_eq!(check(&rooms, &path, 3.0, 1e-3), [], "the judge");
 }
@@ -152,7 +152,7 @@ fn the_tool_stays_down_from_pass_to_pass() {
     let points = [(20.0, 0.0), (40.0, 0.0), (40.0, 40.0), (0.0, 40.0), (0.0, 0.0)];
     let sides = polygon(&points);
     let path = cleared(&[&sides], 3.0, Passes::All { stepover: 4.0 });
-    assert_eq!(gaps(&path), [], "without a gap");
+    assert!(gaps(&path).is_empty(), "without a gap: {:?}", gaps(&path));
     let ends: Vec<_> = links(&path).iter().map(|one| [one.start(), one.end()]).collect();
     assert_eq!(ends.len(), 4, "{ends:?}");
     for (k, [from, to]) in (0..).zip(ends) {
