@@ -43,4 +43,10 @@ export {
   type Transition,
   type Uncut,
 } from "./types/reports.js";
-export { type PathLoop, RECORD_STRIDE, ToolPath, type ToolPathData } from "./types/tool_path.js";
+export {
+  type PathLoop,
+  RECORD_STRIDE,
+  ToolPath,
+  type ToolPathData,
+  type Way,
+} from "./types/tool_path.js";

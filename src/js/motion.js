@@ -24,6 +24,8 @@ export class Motion {
   #channels = [];
   /** @type {Uint32Array | undefined} */
   #block;
+  /** @type {Uint32Array | undefined} */
+  #step;
   /** @type {Face["violations"] | undefined} */
   #violations;
   /** @type {number} */
@@ -91,6 +93,11 @@ export class Motion {
   get block() {
     this.#block ??= this.#handle.use((raw) => raw.block());
     return this.#block;
+  }
+
+  get step() {
+    this.#step ??= this.#handle.use((raw) => raw.step());
+    return this.#step;
   }
 
   get violations() {

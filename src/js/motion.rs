@@ -132,6 +132,12 @@ impl MotionHandle {
     pub fn block(&self) -> Vec<u32> {
         self.planned.blocks()
     }
+
+    /// `step`.
+    #[must_use]
+    pub fn step(&self) -> Vec<u32> {
+        self.planned.motion().block.clone()
+    }
 }
 
 /// Limits from numbers in the order of `limits.js`: NaN stands for a snap that is not given, and the

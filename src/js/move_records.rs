@@ -20,9 +20,15 @@ const NONE: f64 = f64::NAN;
 pub(super) fn move_records(moves: &[Move], numbering: &Numbering) -> Vec<f64> {
     let mut records = Vec::with_capacity(moves.len() * STRIDE);
     for step in moves {
-        records.extend(record(step, numbering));
+        add_record(&mut records, step, numbering);
     }
     records
+}
+
+/// Adds the numbers of one move.
+#[inline(never)]
+pub(super) fn add_record(records: &mut Vec<f64>, step: &Move, numbering: &Numbering) {
+    records.extend_from_slice(&record(step, numbering));
 }
 
 fn record(step: &Move, numbering: &Numbering) -> [f64; STRIDE] {

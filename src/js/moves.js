@@ -39,6 +39,23 @@ export function unpackMoves(records) {
 }
 
 /**
+ * Unpacks the ways between pieces: before each record stands the index of the move that it leads to.
+ *
+ * @param {Float64Array} numbers
+ * @returns {import("./types.d.ts").Way[]}
+ */
+export function unpackWays(numbers) {
+  const stride = 1 + RECORD_STRIDE;
+  return Array.from({ length: numbers.length / stride }, (_, i) => {
+    const at = i * stride;
+    return {
+      before: /** @type {number} */ (numbers[at]),
+      move: unpackMove(numbers.subarray(at + 1, at + stride)),
+    };
+  });
+}
+
+/**
  * @param {Float64Array} record
  * @returns {Move}
  */

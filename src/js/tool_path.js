@@ -5,7 +5,7 @@ import { emitted } from "./gcode.js";
 import { coded, Handle } from "./lifecycle.js";
 import { packLimits } from "./limits.js";
 import { Motion } from "./motion.js";
-import { unpackMoves } from "./moves.js";
+import { unpackMoves, unpackWays } from "./moves.js";
 import { polylinesOf } from "./polylines.js";
 
 /** @typedef {import("./types.d.ts").ToolPath} Face */
@@ -41,6 +41,8 @@ export class ToolPath {
   #loops;
   /** @type {Face["uncut"] | undefined} */
   #uncut;
+  /** @type {Face["ways"] | undefined} */
+  #ways;
 
   static {
     useToolPath = (path, work) => path.#handle.use(work);
@@ -104,6 +106,12 @@ export class ToolPath {
         return items;
       }
     }
+  }
+
+  get ways() {
+    this.#handle.needWhole();
+    this.#ways ??= unpackWays(this.#handle.use((raw) => raw.ways()));
+    return this.#ways;
   }
 
   get count() {

@@ -7,6 +7,8 @@ use wasm_bindgen::prelude::wasm_bindgen;
 use super::argument::BadArgument;
 #[cfg(feature = "js")]
 use super::emit_settings::EmitSettings;
+#[cfg(feature = "js")]
+use super::move_records::add_record;
 use super::move_records::move_records;
 use super::names::List;
 use super::numbering::Numbering;
@@ -14,6 +16,8 @@ use super::polylines::Polylines;
 use super::polylines_handle::PolylinesHandle;
 use super::report::{diagnostics_json, gouges_json, loops_json, transitions_json, uncut_json};
 use crate::contour::ToolPath;
+#[cfg(feature = "js")]
+use crate::program::ways;
 
 /// A tool path; `ToolPath` of `types.d.ts` holds one.
 #[wasm_bindgen]
@@ -85,6 +89,19 @@ impl ToolPathHandle {
     /// Where the tolerance asks for too many vertices.
     pub fn polylines(&self, tolerance: f64) -> Result<PolylinesHandle, BadArgument> {
         Ok(PolylinesHandle::new(Polylines::of_moves(&self.path.moves, tolerance)?))
+    }
+
+    /// The moves of `ways` as `records()` of `types.d.ts`, each behind the index of the move that it
+    /// leads to.
+    #[cfg(feature = "js")]
+    #[must_use]
+    pub fn ways(&self) -> Vec<f64> {
+        let mut numbers = Vec::new();
+        for (to, way) in ways(&self.path) {
+            numbers.push(to as f64);
+            add_record(&mut numbers, &way, &self.numbering);
+        }
+        numbers
     }
 
     /// `[text, diagnostics as JSON]` of the path as a program.

@@ -11,6 +11,49 @@ use crate::geometry::Line;
 /// Heights nearer than this are one [mm]: the last digit written.
 const SAME_HEIGHT: f64 = 1e-4;
 
+/// Distance from which on two moves do not follow each other [mm]: what rounding does not reach.
+const GAP: f64 = 1e-6;
+
+/// The moves that take the tool from one piece of a path to the next, each with the index of the move
+/// that it leads to: up to the height at which the path itself has rapid moves, across, and down at
+/// the feed of the program's own way down; where no such height is known, straight across.
+///
+/// Where words give the coordinates other numbers there is no way: the tool goes on from where they
+/// say.
+#[must_use]
+pub fn ways(path: &ToolPath) -> Vec<(usize, Move)> {
+    let mut crossing = Crossing::new(None, path);
+    let mut words = path.words.iter();
+    let mut next_words = words.next();
+    let mut at: Option<DVec3> = None;
+    let mut ways = Vec::new();
+    for (index, next) in path.moves.iter().enumerate() {
+        while let Some(these) = next_words
+            && these.before <= index
+        {
+            // Where the words make moves, those take the tool there.
+            if let Some(reset) = these.reset.filter(|reset| reset.moves == 0) {
+                at = Some(reset.at);
+            }
+            next_words = words.next();
+        }
+        let [start, end] = ends(next);
+        if let Some(at) = at
+            && at.distance(start) > GAP
+        {
+            let height = crossing.height(at.z, start.z).unwrap_or(at.z.max(start.z));
+            for step in crossing.way(at, next, height) {
+                if ends(&step)[0] != ends(&step)[1] {
+                    ways.push((index, step));
+                }
+            }
+        }
+        at = Some(end);
+        crossing.passed(next);
+    }
+    ways
+}
+
 /// What is known about crossing.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Crossing {

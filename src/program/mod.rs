@@ -71,7 +71,7 @@ mod variables;
 mod words;
 
 pub use block::{Block, Word};
-pub(crate) use crossing::{Crossing, ends};
+pub use crossing::ways;
 pub use dialect::Dialect;
 pub use emit::{EmitOptions, Emitted, SplineOutput, emit};
 pub use items::{

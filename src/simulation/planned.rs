@@ -1,23 +1,16 @@
 //! A tool path in time: its moves, and the words between them that concern motion.
 
-use glam::DVec3;
-
 use super::passed_words::{for_words, widest_deviation};
 use crate::contour::{AuxiliaryWords, Move, ToolPath};
 use crate::motion::{Limits, LimitsError, MOST_SAMPLES, Motion, Planner, Violations};
-use crate::program::{Crossing, ends};
-
-/// Distance from which on two moves do not follow each other [mm]: what rounding does not reach.
-const GAP: f64 = 1e-6;
+use crate::program::ways;
 
 /// Plans the motion along a tool path, from rest to rest, as its words have it: G4 P waits, G61.1 stops
 /// at the end of each block, G61 keeps to the path exactly, G64 rounds corners again, with a P within
 /// that deviation.
 ///
-/// From one piece of a path to the next the tool goes as a program is written: up to the height at which
-/// the path itself has rapid moves, across, and down at the feed of the program's own way down; where
-/// no such height is known, straight across. Where words give the coordinates other numbers it stops,
-/// and goes on from where they say.
+/// From one piece of a path to the next the tool goes by its [`ways`]. Where words give the coordinates
+/// other numbers it stops, and goes on from where they say.
 ///
 /// # Errors
 /// [`LimitsError`] where a limit is not a positive number within reason, or where the period is so
@@ -27,12 +20,10 @@ pub fn plan_path(path: &ToolPath, limits: &Limits) -> Result<PathMotion, LimitsE
         planner: Planner::new(limits)?,
         limits: *limits,
         motion: Motion::default(),
-        ways: Vec::new(),
-        planned: 0,
-        crossing: Crossing::new(None, path),
-        at: None,
         least: 0.0,
     };
+    let mut ways = ways(path);
+    let mut planned = 0;
     let mut words = path.words.iter();
     let mut next = words.next();
     for (index, one) in path.moves.iter().enumerate() {
@@ -42,13 +33,23 @@ pub fn plan_path(path: &ToolPath, limits: &Limits) -> Result<PathMotion, LimitsE
             course.obey(these);
             next = words.next();
         }
-        course.go(one)?;
+        while let Some((to, way)) = ways.get_mut(planned)
+            && *to == index
+        {
+            course.push(way)?;
+            // From here on it is its number among all that is planned.
+            *to += planned;
+            planned += 1;
+        }
+        course.push(one)?;
     }
     while let Some(these) = next {
         course.obey(these);
         next = words.next();
     }
-    course.finish()
+    course.planner.finish(&mut course.motion);
+    course.check()?;
+    Ok(PathMotion { motion: course.motion, ways })
 }
 
 /// The motion along a tool path.
@@ -102,37 +103,11 @@ struct Course {
     planner: Planner,
     limits: Limits,
     motion: Motion,
-    /// The ways between pieces, each with its number among what the planner was given.
-    ways: Vec<(usize, Move)>,
-    /// How much it was given.
-    planned: usize,
-    crossing: Crossing,
-    /// Where the tool is.
-    at: Option<DVec3>,
     /// The time that it takes at the least [s].
     least: f64,
 }
 
 impl Course {
-    /// One move, and the way to it.
-    fn go(&mut self, one: &Move) -> Result<(), LimitsError> {
-        let [start, end] = ends(one);
-        if let Some(at) = self.at
-            && at.distance(start) > GAP
-        {
-            let height = self.crossing.height(at.z, start.z).unwrap_or(at.z.max(start.z));
-            for step in self.crossing.way(at, one, height) {
-                if ends(&step)[0] != ends(&step)[1] {
-                    self.ways.push((self.planned, step));
-                    self.push(&step)?;
-                }
-            }
-        }
-        self.at = Some(end);
-        self.crossing.passed(one);
-        self.push(one)
-    }
-
     fn push(&mut self, one: &Move) -> Result<(), LimitsError> {
         let length = one.curve.length().max((one.heights[1] - one.heights[0]).abs());
         let velocity = match one.feed {
@@ -141,7 +116,6 @@ impl Course {
         };
         self.least += length / velocity.min(self.limits.velocity);
         self.check()?;
-        self.planned += 1;
         self.planner.push(one, &mut self.motion);
         Ok(())
     }
@@ -178,16 +152,8 @@ impl Course {
             b'M' | b'T' => command = 0.0,
             _ => {}
         });
-        // Where the words make moves, those take the tool there.
-        if let Some(reset) = words.reset.filter(|reset| reset.moves == 0) {
+        if words.reset.is_some_and(|reset| reset.moves == 0) {
             self.planner.jump();
-            self.at = Some(reset.at);
         }
-    }
-
-    fn finish(mut self) -> Result<PathMotion, LimitsError> {
-        self.planner.finish(&mut self.motion);
-        self.check()?;
-        Ok(PathMotion { motion: self.motion, ways: self.ways })
     }
 }

@@ -132,6 +132,76 @@ test("between two pieces of a path it goes straight", () => {
   assert.ok(motion.block.every((block) => block < path.count));
 });
 
+test("the ways between pieces are told, and the samples that run them", () => {
+  // A room, a corridor that the tool is too wide for, and another room; then home, far above.
+  const text = `G21 G90
+G0 X10 Y10 Z5
+G1 Z-2 F120
+G41 Y0 F400
+X30
+Y12
+X40
+Y0
+X70
+Y30
+X40
+Y18
+X30
+Y30
+X0
+Y0
+X10
+G40 Y10
+G0 Z5
+G28 Z90
+`;
+  const path = compensate(parseProgram(text), { radius: 5, gouge: "avoid" });
+  const { ways } = path;
+  assert.deepEqual(
+    ways.map(({ move: { kind, role, feed } }) => [kind, role, feed]),
+    [
+      ["rapid", "free", undefined],
+      ["rapid", "free", undefined],
+      ["line", "free", 120],
+      ["rapid", "free", undefined],
+      ["rapid", "free", undefined],
+      ["line", "free", 120],
+    ],
+  );
+  assert.deepEqual(
+    ways.map(({ move: { from, to } }) => [from[2], to[2]]),
+    [
+      [-2, 5],
+      [5, 5],
+      [5, -2],
+      [-2, 5],
+      [5, 5],
+      [5, -2],
+    ],
+  );
+  for (const [i, { before, move }] of ways.entries()) {
+    const next = ways[i + 1];
+    const to = i % 3 === 2 ? path.moves[before].from : next.move.from;
+    assert.deepEqual(move.to, to, `way ${i} leads on`);
+    assert.equal(move.origin.block, path.moves[before].origin.block, `line of way ${i}`);
+  }
+  const motion = path.plan(mill);
+  const befores = ways.map(({ before }, k) => before + k);
+  motion.step.forEach((step, i) => {
+    const passed = befores.filter((number) => number < step).length;
+    assert.equal(motion.block[i], step - passed, `sample ${i}`);
+    const way = befores.indexOf(step);
+    if (way % 3 === 1) {
+      assert.ok(Math.abs(motion.z[i] - 5) < 0.1, `sample ${i} goes across`);
+    }
+  });
+  const seen = new Set(motion.step);
+  assert.ok(
+    befores.every((number) => seen.has(number)),
+    "each has samples",
+  );
+});
+
 test("samples are written as comma-separated values", () => {
   const motion = planOf("G0 X0 Y0\nG1 X-3.5 Y2 F600\n", { period: 0.01 });
   const lines = motion.toCsv().trimEnd().split("\n");

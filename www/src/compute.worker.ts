@@ -86,7 +86,7 @@ function compute({ id, text, settings }: Request): Reply {
     const written = path.emit({ target, tolerance });
     const diagnostics = gravestFirst([...path.diagnostics, ...written.diagnostics]);
     tell?.(3, 0);
-    const moves = movesOf(path, settings.gouge === "avoid");
+    const moves = movesOf(path);
     const { axes, rapids } = moves;
     const outlines = program.polylines(DRAWING_TOLERANCE);
     const way = path.polylines(DRAWING_TOLERANCE);
@@ -147,7 +147,7 @@ async function computeLong({ id, settings }: Request, file: File): Promise<Reply
     const written = path.emit({ target, tolerance });
     const code = longText(new TextEncoder().encode(written.text));
     tell(3, 0);
-    const moves = movesOf(path, settings.gouge === "avoid");
+    const moves = movesOf(path);
     const strokes = strokesOf(program, path, moves);
     const diagnostics = gravestFirst([...path.diagnostics, ...written.diagnostics]);
     const result: Result = {

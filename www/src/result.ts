@@ -1,8 +1,7 @@
 // What goes to the worker and what comes back: plain data, with geometry in typed arrays.
 
-import type { Diagnostic, Dialect, Gouge, ProgrammedContour, Transition, Uncut } from "g41";
+import type { Diagnostic, Dialect, Gouge, ProgrammedContour, Transition, Uncut, Way } from "g41";
 import type { Axes, Strokes } from "./large/strokes";
-import type { Way } from "./large/ways";
 import type { LongText } from "./long-text";
 import type { Settings } from "./parameters";
 import type { Space } from "./space/strokes";

@@ -115,8 +115,10 @@ export class Motion {
   readonly normalAcceleration: Float64Array;
   /** Size of the jerk vector [mm/s³]. */
   readonly jerk: Float64Array;
-  /** The move that each sample is on, an index into `moves` of the path. */
+  /** The move that each sample is on or on the way to, an index into `moves` of the path. */
   readonly block: Uint32Array;
+  /** The same with the `ways` of the path counted among its moves, each before the one that it leads to. */
+  readonly step: Uint32Array;
   /**
    * The limits that the samples break, each once: found when they are first asked for, by code that shares
    * none with the planner, from the samples and the moves alone.

@@ -28,6 +28,14 @@ export interface ToolPathData
   uncut: (Omit<Uncut, "outline"> & { outline: number[] })[];
 }
 
+/** A straight move that takes the tool from one piece of a path to the next; it is none of its moves. */
+export interface Way {
+  /** Index of the move that it leads to. */
+  before: number;
+  /** The move itself. */
+  move: Move;
+}
+
 /** Numbers of one move in `ToolPath.records()`. */
 export const RECORD_STRIDE: 19;
 
@@ -53,6 +61,14 @@ export class ToolPath {
   readonly uncut: Uncut[];
   /** The loops of a path in several passes; empty for one pass. */
   readonly loops: PathLoop[];
+  /**
+   * How the tool gets from one piece of the path to the next, as it is planned: up to the height of the
+   * path's rapid moves, across, and down at the feed of the program's own way down; straight where no
+   * such height is known. Not by `g41/contour`.
+   *
+   * @throws {G41Error} `"not-supported"`
+   */
+  readonly ways: Way[];
   /**
    * The vertices `x0, y0, x1, y1, …` of a path in one piece, rapid moves apart; empty for an empty
    * path.
@@ -89,9 +105,8 @@ export class ToolPath {
   records(from?: number, to?: number): Float64Array;
   /**
    * Plans how a machine runs the path, from rest to rest: corners rounded within a deviation, feeds kept
-   * where the limits allow it, dwells (G4) waited, G61, G61.1 and G64 with P obeyed. From one piece of the
-   * path to the next it goes as a program is written: up to the height of the path's rapid moves, across,
-   * and down at the feed of the program's own way down; straight where no such height is known.
+   * where the limits allow it, dwells (G4) waited, G61, G61.1 and G64 with P obeyed, and `ways` run from one
+   * piece of the path to the next.
    *
    * @throws {G41Error} `"bad-argument"` (also where the period makes more than 8 million samples)
    */

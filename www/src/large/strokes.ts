@@ -1,8 +1,8 @@
 // What is drawn of a program: polylines by what they are there for, made by the worker that computes.
 
-import { type Program, RECORD_STRIDE, type ToolPath } from "g41";
+import { type Program, RECORD_STRIDE, type ToolPath, type Way } from "g41";
 import { FIELD, MoveRole, RAPID } from "../result";
-import { type Way, WayFinder, waysInPlane } from "./ways";
+import { waysInPlane } from "./ways";
 
 /** What a line of the picture is: part of a contour, or a move and what it is there for. */
 export type StrokeKind = "rapid" | "free" | "contour" | "lead" | "cut";
@@ -47,8 +47,8 @@ export interface Moves {
   readonly axes: Axes;
 }
 
-/** Looks at the moves of a path; only one that avoids gouges is in several pieces. */
-export function movesOf(path: ToolPath, isAvoiding: boolean): Moves {
+/** Looks at the moves of a path. */
+export function movesOf(path: ToolPath): Moves {
   const { count } = path;
   const lines = new Uint32Array(count);
   const roles = new Uint8Array(count);
@@ -56,13 +56,11 @@ export function movesOf(path: ToolPath, isAvoiding: boolean): Moves {
   const rapidLines: number[] = [];
   const cutting = [0, 0, 0];
   const compensated = [0, 0, 0];
-  const finder = new WayFinder();
   for (let from = 0; from < count; from += SLICE) {
     const records = path.records(from, from + SLICE);
     for (let at = 0, i = from; at < records.length; at += RECORD_STRIDE, i += 1) {
       const line = records[at + FIELD.block] as number;
       const role = records[at + FIELD.role] as MoveRole;
-      if (isAvoiding) finder.look(records, at);
       lines[i] = Number.isNaN(line) ? 0 : line;
       roles[i] = role;
       const plane = records[at + FIELD.plane] as number;
@@ -81,7 +79,7 @@ export function movesOf(path: ToolPath, isAvoiding: boolean): Moves {
     roles,
     rapids: Float64Array.from(rapids),
     rapidLines: Uint32Array.from(rapidLines),
-    ways: finder.ways,
+    ways: path.ways,
     axes,
   };
 }

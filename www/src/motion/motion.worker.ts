@@ -8,6 +8,7 @@ import init, {
   RECORD_STRIDE,
   type ToolPath,
 } from "g41";
+import { lineOfWay } from "../large/ways";
 import { compensationOptions, parseOptions, type Settings } from "../parameters";
 import { FIELD, RAPID } from "../result";
 import {
@@ -17,7 +18,6 @@ import {
   type Other,
   otherMethod,
 } from "./protocol";
-import { withWays } from "./ways";
 
 /** The place of the feed in a record. */
 const FEED = 3;
@@ -91,13 +91,12 @@ function planned(path: ToolPath, limits: Limits): MotionData {
   const motion = path.plan(limits);
   try {
     const milliseconds = performance.now() - began;
-    const { duration, time, x, y, z, velocity, jerk, block, violations } = motion;
+    const { duration, time, x, y, z, velocity, jerk, step, violations } = motion;
     const { tangentialAcceleration: tangential, normalAcceleration: normal } = motion;
     const length = lengths(motion);
     const of = { time, x, y, z, velocity, tangential, normal, jerk, length };
-    const records = path.records();
-    const moves = withWays(of, { block, ...movesOf(records, limits) }, records, limits);
-    return { duration, violations, limits, milliseconds, ...of, ...moves };
+    const moves = movesOf(path, limits);
+    return { duration, violations, limits, milliseconds, step, ...of, ...moves };
   } finally {
     motion[Symbol.dispose]();
   }
@@ -113,19 +112,31 @@ function lengths({ x, y, z }: Motion): Float64Array {
   return length;
 }
 
-function movesOf(records: Float64Array, { velocity, feedOverride = 1 }: Limits) {
-  const count = records.length / RECORD_STRIDE;
+/** What is known of the moves of a path and of the ways between its pieces, in the order of `step`. */
+function movesOf(path: ToolPath, { velocity, feedOverride = 1 }: Limits) {
+  const { count: own, ways } = path;
+  const records = path.records();
+  const count = own + ways.length;
   const feeds = new Float64Array(count);
   const rapid = new Uint8Array(count);
   const lines = new Uint32Array(count);
-  for (let i = 0; i < count; i += 1) {
+  let next = 0;
+  const add = (feed: number, isRapid: boolean, line: number) => {
+    const isFree = isRapid || Number.isNaN(feed);
+    feeds[next] = isFree ? velocity : Math.min(velocity, (feed / 60) * feedOverride);
+    rapid[next] = isRapid ? 1 : 0;
+    lines[next] = Number.isNaN(line) ? 0 : line;
+    next += 1;
+  };
+  let way = 0;
+  for (let i = 0; i < own; i += 1) {
+    for (let leads = ways[way]; leads?.before === i; way += 1, leads = ways[way]) {
+      const { kind, feed = Number.NaN } = leads.move;
+      add(feed, kind === "rapid", lineOfWay(leads));
+    }
     const at = i * RECORD_STRIDE;
     const [feed, line] = [records[at + FEED] as number, records[at + FIELD.block] as number];
-    const isRapid = records[at + FIELD.kind] === RAPID;
-    const isFree = isRapid || Number.isNaN(feed);
-    feeds[i] = isFree ? velocity : Math.min(velocity, (feed / 60) * feedOverride);
-    rapid[i] = isRapid ? 1 : 0;
-    lines[i] = Number.isNaN(line) ? 0 : line;
+    add(feed, records[at + FIELD.kind] === RAPID, line);
   }
   return { feeds, rapid, lines };
 }

@@ -65,7 +65,7 @@ const PLOTS: readonly Plot[] = [
         color: "--error",
         dash: [4, 3],
         stepped: true,
-        of: ({ feeds, block }, i) => 60 * (feeds[block[i] as number] as number),
+        of: ({ feeds, step }, i) => 60 * (feeds[step[i] as number] as number),
       },
       { name: "reached", color: "--accent", of: ({ velocity }, i) => 60 * (velocity[i] as number) },
     ],
@@ -387,13 +387,13 @@ function style(name: string): string {
 /**
  * The largest feed while cutting [mm/s], allowed or reached: rapid moves, far above it, would flatten it.
  */
-function cuttingFeed({ feeds, rapid, velocity, block, limits }: MotionData): number {
+function cuttingFeed({ feeds, rapid, velocity, step, limits }: MotionData): number {
   let most = 0;
   feeds.forEach((feed, move) => {
     if (!rapid[move]) most = Math.max(most, feed);
   });
   velocity.forEach((value, i) => {
-    if (!rapid[block[i] as number]) most = Math.max(most, value);
+    if (!rapid[step[i] as number]) most = Math.max(most, value);
   });
   return most || limits.velocity;
 }

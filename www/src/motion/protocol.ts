@@ -27,8 +27,8 @@ export interface MotionData {
   readonly normal: Float64Array;
   /** [mm/s³] */
   readonly jerk: Float64Array;
-  /** The move of each sample; behind those of the path come the ways between its pieces. */
-  readonly block: Uint32Array;
+  /** The move of each sample, the ways between the pieces of the path counted among its moves. */
+  readonly step: Uint32Array;
   /** Length of the way up to each sample [mm]. */
   readonly length: Float64Array;
   /** The feed that each move is to have at most [mm/s]. */

@@ -40,7 +40,7 @@ export function placeAt(data: MotionData, time: number): Place | undefined {
     const [a, b] = [of[index] as number, of[next] as number];
     return a + (b - a) * part;
   };
-  const move = data.block[index] as number;
+  const move = data.step[index] as number;
   const line = data.lines[move] || undefined;
   return { index, point: [between(data.x), between(data.y), between(data.z)], move, line };
 }

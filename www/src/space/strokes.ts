@@ -2,6 +2,7 @@
 // worker that computes.
 
 import { kindOf, type Moves, type StrokeKind } from "../large/strokes";
+import { lineOfWay } from "../large/ways";
 import type { MoveRole } from "../result";
 
 /** Polylines of one kind. */
@@ -71,15 +72,15 @@ export function spaceOf(contours: Polylines, path: Polylines, moves: Moves): Spa
     rapid.begin(rapids, 2 * i, line);
     rapid.add(rapids, 2 * i + 1, line);
   }
-  for (const { from, to, height, line } of ways) {
-    const corners = [from[0], from[1], height, to[0], to[1], height];
-    const way = Float64Array.from([...from, ...corners, ...to]);
-    rapid.begin(way, 0, line);
-    for (const corner of [1, 2]) rapid.add(way, corner, line);
-    // Down it goes at a feed.
-    pens.free.begin(way, 2, line);
-    pens.free.add(way, 3, line);
-  }
+  ways.forEach((way, i) => {
+    const { kind, from, to } = way.move;
+    const last = ways[i - 1];
+    const pen = kind === "rapid" ? rapid : pens.free;
+    const chord = Float64Array.from([...from, ...to]);
+    const goesOn = last?.before === way.before && last.move.kind === kind;
+    if (!goesOn) pen.begin(chord, 0, lineOfWay(way));
+    pen.add(chord, 1, lineOfWay(way));
+  });
   const strokes: SpaceStrokes[] = [
     { kind: "rapid", ...rapid.drawn() },
     { kind: "free", ...pens.free.drawn() },
