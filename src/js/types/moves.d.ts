@@ -41,7 +41,7 @@ export interface ArcMove extends MoveBase {
   kind: "arc";
   /** The centre, at the height of `from`. */
   center: Point3;
-  /** `true` as G2, `false` as G3, seen from above. */
+  /** `true` as G2, `false` as G3, seen from the positive side of the third axis of its plane. */
   clockwise: boolean;
   /** [mm] */
   radius: number;
