@@ -91,12 +91,12 @@ export class Motion {
   }
 
   get block() {
-    this.#block ??= this.#handle.use((raw) => raw.block());
+    this.#block ??= this.#handle.use((raw) => raw.block(false));
     return this.#block;
   }
 
   get step() {
-    this.#step ??= this.#handle.use((raw) => raw.step());
+    this.#step ??= this.#handle.use((raw) => raw.block(true));
     return this.#step;
   }
 

@@ -127,16 +127,10 @@ impl MotionHandle {
         violations_json(&found, self.duration())
     }
 
-    /// `block`.
+    /// `step` where ways are counted, else `block`.
     #[must_use]
-    pub fn block(&self) -> Vec<u32> {
-        self.planned.blocks()
-    }
-
-    /// `step`.
-    #[must_use]
-    pub fn step(&self) -> Vec<u32> {
-        self.planned.motion().block.clone()
+    pub fn block(&self, counts_ways: bool) -> Vec<u32> {
+        if counts_ways { self.planned.motion().block.clone() } else { self.planned.blocks() }
     }
 }
 

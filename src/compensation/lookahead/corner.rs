@@ -94,7 +94,8 @@ impl InsideCorner {
         let height = self.tool_radius - own * normal.dot(to_center);
         let squared = radius * radius - height * height;
         // What it just touches it meets, with the radius from a table, which is a trifle smaller.
-        if squared < if self.is_listed { -SAME_LENGTH * radius } else { 0.0 } {
+        let touches = self.is_listed && squared >= -SAME_LENGTH * radius;
+        if squared < 0.0 && !touches {
             return Err(NO_ROOM);
         }
         Ok(center + normal * height + tangent * (sense * squared.max(0.0).sqrt()))
