@@ -59,12 +59,12 @@ impl Links<'_> {
             return false;
         }
         moves.push(Move { curve: MoveCurve::Line(line), role: Role::Link, ..met });
-        if let (true, Some(curve)) = (t < 1.0, part(&met.curve, t, 1.0)) {
+        if let Some(curve) = part(&met.curve, t, 1.0) {
             moves.push(Move { curve, ..met });
         }
         moves.extend_from_slice(&closed[index + 1..]);
         moves.extend_from_slice(&closed[..index]);
-        if let (true, Some(curve)) = (t > 0.0, part(&met.curve, 0.0, t)) {
+        if let Some(curve) = part(&met.curve, 0.0, t) {
             moves.push(Move { curve, ..met });
         }
         true
