@@ -5,7 +5,7 @@
 
 use glam::DVec2;
 
-use super::{Refused, SAME_LENGTH};
+use super::Refused;
 use crate::geometry::{direction, perp};
 
 /// The offset of a segment.
@@ -30,8 +30,6 @@ pub(super) enum Flank {
 pub(super) struct InsideCorner {
     pub(super) point: DVec2,
     pub(super) tool_radius: f64,
-    /// Whether that is from a table.
-    pub(super) is_listed: bool,
     pub(super) tangents: [DVec2; 2],
     pub(super) normals: [DVec2; 2],
 }
@@ -93,11 +91,9 @@ impl InsideCorner {
         let to_center = direction(center - self.point).unwrap_or_default();
         let height = self.tool_radius - own * normal.dot(to_center);
         let squared = radius * radius - height * height;
-        // What it just touches it meets, with the radius from a table, which is a trifle smaller.
-        let touches = self.is_listed && squared >= -SAME_LENGTH * radius;
-        if squared < 0.0 && !touches {
+        if squared < 0.0 {
             return Err(NO_ROOM);
         }
-        Ok(center + normal * height + tangent * (sense * squared.max(0.0).sqrt()))
+        Ok(center + normal * height + tangent * (sense * squared.sqrt()))
     }
 }

@@ -56,6 +56,13 @@ pub struct Passage {
     pub is_listed: bool,
 }
 
+impl Passage {
+    /// The share by which the control makes a radius from a table smaller.
+    fn smaller(&self) -> f64 {
+        if self.is_listed { 1e-13 } else { 0.0 }
+    }
+}
+
 impl Default for Passage {
     fn default() -> Self {
         Self { leads_in: false, is_cut_off: false, tip: DVec2::ZERO, unit: 1.0, is_listed: false }
@@ -308,8 +315,8 @@ impl<'a> Control<'a> {
             if is_concave {
                 let inside = InsideCorner {
                     point: corner,
-                    tool_radius: self.tool.radius(),
-                    is_listed: self.passage.is_listed,
+                    // What it just touches it then meets.
+                    tool_radius: self.tool.radius() * (1.0 - self.passage.smaller()),
                     tangents: [incoming, outgoing.tangent],
                     normals: [incoming_normal, outgoing.normal],
                 };
