@@ -2,7 +2,7 @@
 #[cfg(target_arch = "wasm32")]
 use wasm_bindgen_test::wasm_bindgen_test as test;
 
-use g41::compensation::{CornerStyle, GougePolicy, Options, Passes};
+use g41::compensation::{CornerStyle, GougePolicy, Options};
 use g41::contour::{Gouge, Move, MoveCurve, Role, ToolPath};
 use g41::diagnostic::{Origin, Severity};
 use g41::program::{Dialect, EmitOptions, Item, Program, Rules, emit, interpret};
@@ -332,48 +332,6 @@ fn a_room_behind_a_corridor_is_crossed_to_above_the_part() {
     let written = emit(&path, &EmitOptions::default());
     let codes: Vec<_> = written.diagnostics.iter().map(|d| d.code).collect();
     assert_eq!(codes, ["no-clearance"], "it comes at the height 0 only: {}", written.text);
-}
-
-#[test]
-fn words_stay_behind_their_move_where_a_pocket_is_cleared_room_by_room() {
-    // Three rooms, and M8 in the last but one; with one pass the tool is too wide for the corridors.
-    let text = "G21 G90\nG0 X5 Y10 Z5\nG1 Z-2 F120\nG41 X10 Y0 F400\nX20\nY8\nX30\nY0\nX50\nM8\nY8\n\
-                X60\nY0\nX80\nY20\nX60\nY12\nX50\nY20\nX30\nY12\nX20\nY20\nX0\nY0\nX10\nG40 X15 Y10\n\
-                M9\nG0 Z5\n";
-    let read = interpret(&Program::parse(text, Dialect::Auto), Rules::default());
-    let with = |passes| {
-        let options = Options { gouge: GougePolicy::Avoid, passes, ..Options::default() };
-        compensate_program(&read, &Tools::all(3.0), &options)
-    };
-    let (one, all) = (with(Passes::One), with(Passes::All { stepover: 2.0 }));
-    let passes: Vec<_> = all.loops.iter().map(|one| one.pass).collect();
-    assert!(!passes.is_sorted(), "room by room: {passes:?}");
-    let behind = |path: &ToolPath, text: &str| {
-        let words = path.words.iter().find(|words| words.words == text).expect("they are kept");
-        path.moves[words.before - 1].curve
-    };
-    assert_eq!(behind(&all, "M8"), behind(&one, "M8"), "beside the same wall");
-    assert_eq!(
-        all.words.last().map(|words| words.before),
-        Some(all.loops[passes.len() - 1].moves_end),
-        "M9 behind all"
-    );
-}
-
-#[test]
-fn a_pocket_is_cleared_without_lifting_the_tool() {
-    let text = "G21 G90\nG0 X20 Y10 Z5\nG1 Z-2 F120\nG41 D1 X20 Y0 F400\nX40\nY30\nX0\nY0\nX20\n\
-                G40 X20 Y10\nG0 Z5\n";
-    let read = interpret(&Program::parse(text, Dialect::Auto), Rules::default());
-    let passes = Passes::All { stepover: 3.0 };
-    let options = Options { gouge: GougePolicy::Avoid, passes, ..Options::default() };
-    let path = compensate_program(&read, &Tools::all(3.0), &options);
-    let written = emit(&path, &EmitOptions { explain: true, ..EmitOptions::default() });
-    assert_eq!(written.diagnostics, [], "{}", written.text);
-    // 40 by 30 mm: walls at 3, 6, 9 and 12 mm, and at 15 mm there and back along a line.
-    assert_eq!(written.text.matches("(link: to the next pass)").count(), 4, "{}", written.text);
-    assert_eq!(written.text.matches('Z').count(), 3, "down once and up once: {}", written.text);
-    assert!(written.text.contains("Y6\nX34\nY24\nX6\nY6\nX20\n"), "{}", written.text);
 }
 
 /// Inverse-time feed (G93): the moves of each block take as long as it says, whatever

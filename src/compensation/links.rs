@@ -21,7 +21,7 @@ const LEAST_STEP: f64 = 0.1;
 /// What links must keep clear of.
 pub(super) struct Links<'a> {
     /// The contours, each with the tool of the first pass.
-    pub jobs: &'a [(&'a Contour, Tool)],
+    pub inner: &'a [(Contour, Tool)],
     pub options: &'a Options,
     pub stepover: f64,
 }
@@ -77,7 +77,7 @@ impl Links<'_> {
         for _ in 0..STEPS {
             let at = line.point(gone / line.length());
             let mut room = f64::INFINITY;
-            for (contour, tool) in self.jobs {
+            for (contour, tool) in self.inner {
                 for segment in contour.segments() {
                     room = room.min(segment.curve.nearest(at).distance - tool.radius());
                 }

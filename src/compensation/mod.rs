@@ -37,4 +37,6 @@ pub use options::{
     CornerStyle, GougePolicy, LeadStyle, MIN_TOLERANCE, Options, Output, Passes, SplineMethod,
     TangentBand,
 };
-pub use policy::{compensate_all, compensate_beside, compensate_locally, refuse_gouges};
+pub use policy::{
+    clear_beside, compensate_all, compensate_beside, compensate_locally, refuse_gouges,
+};

@@ -27,28 +27,37 @@ pub(super) const GAP: f64 = 1e-6;
 
 /// All passes along `jobs`, loop by loop.
 pub(super) fn pocket(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath {
+    // The tool is led to and from the first pass only.
+    let inner: Vec<(Contour, Tool)> =
+        jobs.iter().map(|&(contour, tool)| (contour.without_leads(), tool)).collect();
+    with_passes(avoid_all(jobs, options), &inner, options)
+}
+
+/// The first pass as it was made, and the others along the contours `inner`.
+pub(super) fn with_passes(
+    first: ToolPath,
+    inner: &[(Contour, Tool)],
+    options: &Options,
+) -> ToolPath {
     let (count, stepover) = match options.passes {
         Passes::One => (1, 0.0),
         Passes::Several { count, stepover } => (count.clamp(1, MOST), stepover),
         Passes::All { stepover } => (MOST, stepover),
     };
-    let mut path = avoid_all(jobs, options);
+    let mut path = first;
     add_loops(&mut path, 0, 0);
-    // The tool is led to and from the first pass only.
-    let inner: Vec<(Contour, Tool)> =
-        jobs.iter().map(|&(contour, tool)| (contour.without_leads(), tool)).collect();
     if matches!(options.passes, Passes::All { .. }) && !inner.iter().any(is_pocket) {
         path.diagnostics.push(
             Diagnostic::error("no-pocket", "passes without end: no contour closes round the tool")
-                .with_point(jobs[0].0.start())
+                .with_point(inner[0].0.start())
                 .with_hint("ask for a number of passes, or close the contour"),
         );
         return path;
     }
-    if stepover > jobs[0].1.radius() {
+    if stepover > inner[0].1.radius() {
         path.diagnostics.push(
             Diagnostic::info("wide-stepover", "a stepover above the tool radius may leave ridges")
-                .with_point(jobs[0].0.start()),
+                .with_point(inner[0].0.start()),
         );
     }
     let mut before = 0;
@@ -79,7 +88,7 @@ pub(super) fn pocket(jobs: &[(&Contour, Tool)], options: &Options) -> ToolPath {
         add_loops(&mut path, pass, before);
         before = first_loop;
     }
-    room_by_room(&mut path, &Links { jobs, options, stepover });
+    room_by_room(&mut path, &Links { inner, options, stepover });
     path
 }
 

@@ -6,7 +6,7 @@ use super::as_arcs::{ARC_SHARE, as_arcs};
 use super::assemble::{compensate, compensate_traced, usable};
 use super::avoid::{avoid_all, avoid_beside};
 use super::lookahead::{Passage, look_ahead};
-use super::passes::pocket;
+use super::passes::{pocket, with_passes};
 use super::whole::Trace;
 use super::{GougePolicy, LeadStyle, Options, Output, Passes};
 use crate::contour::{Contour, Tool, ToolPath};
@@ -78,6 +78,24 @@ pub fn compensate_beside(
         return with_arcs(options, &along);
     }
     avoid_beside(contour, walls, tool, options)
+}
+
+/// The path of [`compensate_beside`] as the first of several passes, the others along the closed contour
+/// `inner`, which is its walls.
+#[must_use]
+pub fn clear_beside(
+    contour: &Contour,
+    walls: Range<usize>,
+    inner: &Contour,
+    tool: Tool,
+    options: &Options,
+) -> ToolPath {
+    if options.output == Output::Arcs {
+        let along = |cubics: &Options| clear_beside(contour, walls.clone(), inner, tool, cubics);
+        return with_arcs(options, &along);
+    }
+    let first = avoid_beside(contour, walls, tool, options);
+    with_passes(first, &[(inner.without_leads(), tool)], options)
 }
 
 /// A path of cubics made into arcs; each has its share of the tolerance.

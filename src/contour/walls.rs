@@ -10,7 +10,7 @@ use glam::DVec2;
 
 use super::{Contour, Segment, Side};
 use crate::geometry::intersect::{arc_arc, line_arc, line_line};
-use crate::geometry::{Bounds, Curve, MIN_LENGTH};
+use crate::geometry::{Bounds, Curve, Line, MIN_LENGTH};
 
 /// Chords of the closed part, as a part of its size.
 const CHORD: f64 = 1e-4;
@@ -73,6 +73,38 @@ impl Walls {
     pub fn alone(&self, contour: &Contour) -> Contour {
         let (whole, range) = self.split(contour.clone());
         Contour::of_segments(whole.segments[range].to_vec(), false, [None, None])
+    }
+
+    /// The first lap of an open contour that goes on along itself behind its start, as programs do so
+    /// that no mark stays there; `None` where it ends at its start, or does not come by it.
+    #[must_use]
+    pub fn of_lap(contour: &Contour) -> Option<Self> {
+        let segments = contour.segments();
+        if contour.is_closed() || contour.end().distance(contour.start()) <= MIN_LENGTH {
+            return None;
+        }
+        for (segment, last) in segments.iter().enumerate().rev().take(Self::MOST) {
+            let nearest = last.curve.nearest(contour.start());
+            if nearest.distance <= Self::TOUCH && (segment > 0 || nearest.t > 0.0) {
+                let from = Place { segment: 0, t: 0.0 };
+                return Some(Self { from, to: Place { segment, t: nearest.t } });
+            }
+        }
+        None
+    }
+
+    /// The walls alone as a closed contour, with a line where their ends only touch.
+    #[must_use]
+    pub fn closed(&self, contour: &Contour) -> Contour {
+        let mut closed = self.alone(contour);
+        if let Ok(line) = Line::new(closed.end(), closed.start())
+            && let Some(last) = closed.segments.last()
+        {
+            let attributes = last.attributes;
+            closed.segments.push(Segment { curve: Curve::Line(line), attributes });
+        }
+        closed.closed = true;
+        closed
     }
 
     /// The contour cut where its walls begin and end, and which of its segments are walls then.

@@ -11,8 +11,8 @@ use super::lap_by_lap::avoid_laps;
 use super::spline_blocks::name_blocks;
 use super::walls::laps;
 use crate::compensation::{
-    GougePolicy, LeadStyle, Options, Passes, compensate_all, compensate_beside, compensate_locally,
-    refuse_gouges,
+    GougePolicy, LeadStyle, Options, Passes, clear_beside, compensate_all, compensate_beside,
+    compensate_locally, refuse_gouges,
 };
 use crate::contour::{
     Attributes, AuxiliaryWords, Contour, EventKind, Move, MoveCurve, Reset, Role, Tool, ToolPath,
@@ -112,7 +112,18 @@ fn avoided(
 ) -> ToolPath {
     let contour = &programmed.contour;
     if options.passes != Passes::One {
-        return compensate_all(&[(contour, tool)], options);
+        return match (walls, Walls::of_lap(contour)) {
+            (Some(walls), _) => {
+                let inner = walls.closed(contour);
+                let (contour, walls) = walls.split(contour.clone());
+                clear_beside(&contour, walls, &inner, tool, options)
+            }
+            (None, Some(lap)) => {
+                let all = 0..contour.segments().len();
+                clear_beside(contour, all, &lap.closed(contour), tool, options)
+            }
+            (None, None) => compensate_all(&[(contour, tool)], options),
+        };
     }
     let by_lap = || avoid_laps(programmed, tool, options);
     by_lap().unwrap_or_else(|| match walls {
