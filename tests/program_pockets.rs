@@ -90,3 +90,20 @@ fn a_pocket_is_cleared_whose_program_runs_past_its_start() {
         assert!((x.min(y) - 14.0).abs() < 0.011, "6 mm from the sides: {x} {y} of {text}");
     }
 }
+
+#[test]
+fn laps_at_several_depths_are_no_pocket_in_passes() {
+    let lap = "X40 F400\nY30\nX0\nY0\nX20\n";
+    let text = format!(
+        "G21 G90\nG0 X20 Y10 Z5\nG1 Z-2 F120\nG41 D1 X20 Y0 F400\n{lap}G1 Z-4 F120\n{lap}G40 X20 Y10\nG0 Z5\n"
+    );
+    let read = interpret(&Program::parse(&text, Dialect::Auto), Rules::default());
+    let with = |passes| {
+        let options = Options { gouge: GougePolicy::Avoid, passes, ..Options::default() };
+        compensate_program(&read, &Tools::all(3.0), &options)
+    };
+    let (one, all) = (with(Passes::One), with(Passes::All { stepover: 3.0 }));
+    assert_eq!(all.moves, one.moves, "both laps along the wall");
+    let codes: Vec<_> = all.diagnostics.iter().map(|found| found.code).collect();
+    assert_eq!(codes, ["several-laps"], "it is told");
+}

@@ -49,6 +49,11 @@ pub(super) fn avoid_laps(
     Some(path)
 }
 
+/// Whether a contour goes round itself more than once, the same way.
+pub(super) fn has_laps(contour: &Contour) -> bool {
+    repeated(contour.segments()).is_some()
+}
+
 /// Where the second of several laps begins, and of how many segments each is: all that runs in before
 /// belongs to the first, and what runs out to the last. `None` where segments are not repeated.
 fn repeated(segments: &[Segment]) -> Option<(usize, usize)> {

@@ -1,6 +1,7 @@
 //! Where stages meet: a program and its tools become one tool path, and a path is judged.
 
 mod ahead;
+mod avoided;
 mod beside;
 mod changes;
 mod judge;

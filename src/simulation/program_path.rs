@@ -4,15 +4,14 @@ use glam::{DVec2, DVec3};
 
 use super::Tools;
 use super::ahead::with_look_ahead;
+use super::avoided::avoided;
 use super::beside::Beside;
 use super::changes::{cross_over, leave_out_last, start_from};
 use super::judge::judge_laps;
-use super::lap_by_lap::avoid_laps;
 use super::spline_blocks::name_blocks;
 use super::walls::laps;
 use crate::compensation::{
-    GougePolicy, LeadStyle, Options, Passes, clear_beside, compensate_all, compensate_beside,
-    compensate_locally, refuse_gouges,
+    GougePolicy, LeadStyle, Options, compensate_all, compensate_locally, refuse_gouges,
 };
 use crate::contour::{
     Attributes, AuxiliaryWords, Contour, EventKind, Move, MoveCurve, Reset, Role, Tool, ToolPath,
@@ -101,38 +100,6 @@ impl ProgramCompensation {
         }
         self.course.path
     }
-}
-
-/// The path of a contour without what the tool cannot reach.
-fn avoided(
-    programmed: &ProgrammedContour,
-    walls: Option<&Walls>,
-    tool: Tool,
-    options: &Options,
-) -> ToolPath {
-    let contour = &programmed.contour;
-    if options.passes != Passes::One {
-        return match (walls, Walls::of_lap(contour)) {
-            (Some(walls), _) => {
-                let inner = walls.closed(contour);
-                let (contour, walls) = walls.split(contour.clone());
-                clear_beside(&contour, walls, &inner, tool, options)
-            }
-            (None, Some(lap)) => {
-                let all = 0..contour.segments().len();
-                clear_beside(contour, all, &lap.closed(contour), tool, options)
-            }
-            (None, None) => compensate_all(&[(contour, tool)], options),
-        };
-    }
-    let by_lap = || avoid_laps(programmed, tool, options);
-    by_lap().unwrap_or_else(|| match walls {
-        Some(walls) => {
-            let (contour, walls) = walls.split(contour.clone());
-            compensate_beside(&contour, walls, tool, options)
-        }
-        None => compensate_all(&[(contour, tool)], options),
-    })
 }
 
 /// The path of a contour with what it cuts; `runs_in_or_out` tells that not all of it is wall.
